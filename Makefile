@@ -81,7 +81,9 @@ $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DI
 MAINS := $(wildcard host-sim/*/pinhole_*.c)
 ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
 HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/$(ASSIMP) model/$(ASSIMP:assimp=gltf) picture/$(PNG) picture/$(JPEG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
-HOST := $(filter-out $(MAINS),$(HOST))
+# What chips take as accesses to their registers: for emulators and tests, in no image.
+REGISTERS := $(wildcard hal/registers/*.c hal/*/registers_table.c)
+HOST := $(filter-out $(MAINS),$(HOST)) $(REGISTERS)
 PROGRAMS := $(patsubst %.c,$(B)/%,$(subst _,-,$(notdir $(if $(SPIDEV),$(MAINS),$(filter-out %/pinhole_panel.c,$(MAINS))))))
 
 # The libraries, in the order in which they are linked: each uses those that come after it.
@@ -116,6 +118,7 @@ $(B)/firmware/core/effects/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,ren
 $(KERNELS:%=$(B)/%)/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,kernels render)
 $(B)/firmware/app/%.o: INC = $(INC_APP)
 $(B)/hal/%.o: INC = -Ihal
+$(REGISTERS:%.c=$(B)/%.o): INC = -Ihal -I$(<D)
 $(B)/hal/linux/$(GPIOD)/%.o: INC = -Ihal $(GPIOD_CFLAGS)
 $(B)/hal/kms/$(DRM)/%.o: INC = -Ihal $(DRM_CFLAGS)
 $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
@@ -149,7 +152,7 @@ COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 .DELETE_ON_ERROR:
 .SECONDARY:
 
-all: $(PROGRAMS) $(B)/rp2350-emulate ## the programs, under build/
+all: $(PROGRAMS) $(B)/rp2350-emulate $(B)/rp2040-registers ## the programs, under build/
 
 # What was built with other flags or from other files is built again (but while tests run in it: BUILT, of tests/run.sh); the bench links all objects of core and app that it finds.
 $(B)/flags: FORCE
@@ -203,7 +206,11 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 
 $(B)/tests/hal/test_hal: $(B)/hal/template/template.o # a port, so it is in no library
 
-$(B)/rp2350-emulate: $(call objects,$(wildcard hal/rp2350/emulate/*.c)) # for firmware/firmware.mk
+$(B)/rp2350-emulate: $(call objects,$(wildcard hal/rp2350/emulate/*.c hal/registers/*.c) hal/rp2350/registers_table.c) # for firmware/firmware.mk
+	$(SAY) LD $@
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@.part && mv $@.part $@
+
+$(B)/rp2040-registers: $(call objects,hal/rp2040/emulate/rp2040_registers.c $(wildcard hal/registers/*.c) hal/rp2040/registers_table.c) # for its emulator, too
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@.part && mv $@.part $@
 
@@ -256,4 +263,4 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
 	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m|rv32 B=build V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
 
--include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d) $(patsubst %.c,$(B)/%.d,$(wildcard hal/rp2350/emulate/*.c))
+-include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d) $(patsubst %.c,$(B)/%.d,$(wildcard hal/rp2350/emulate/*.c hal/rp2040/emulate/*.c))

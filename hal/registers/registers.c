@@ -5,13 +5,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LINE       320
-#define NEVER_SEEN 0
+#define LINE   320
+#define PLACES 256
 
-/* A register as the program left it. `when` numbers are those of accesses, from 1 on; 0: never. */
+/* A register as the program left it. Members `.._at` number the accesses, from 1 on; 0: never. */
 struct cell {
     uint32_t value, seen; /* as written; as read last */
-    uint64_t seen_at, changed_at[32], changed_ns[32];
+    uint64_t written_at, seen_at, changed_at[32], changed_ns[32];
+};
+
+/* Where the word at an address leads to. */
+struct place {
+    uint32_t address;
+    bool known;
+    const struct register_block *block;
+    const struct register_row *row;
+    uint32_t number, alias, cell; /* of the row's registers; of its addresses; of core 0's cells */
 };
 
 struct registers {
@@ -19,14 +28,8 @@ struct registers {
     uint32_t cores, cell_count;
     uint64_t accesses;
     char line[LINE];
-    struct cell cells[]; /* by core, block, row, number */
-};
-
-/* Where an address leads to. */
-struct place {
-    const struct register_block *block;
-    const struct register_row *row;
-    uint32_t number, alias, cell;
+    struct place places[PLACES]; /* those found last, by address */
+    struct cell cells[];         /* by core, block, row, number */
 };
 
 static uint32_t count_of(const struct register_row *row)
@@ -34,13 +37,11 @@ static uint32_t count_of(const struct register_row *row)
     return row->count == 0 ? 1 : row->count;
 }
 
-static uint32_t cells_of(const struct register_chip *chip)
+static uint32_t cells_of(const struct register_block *block)
 {
     uint32_t n = 0;
-    for (uint32_t b = 0; b < chip->block_count; b++) {
-        for (uint32_t i = 0; i < chip->blocks[b].row_count; i++) {
-            n += count_of(&chip->blocks[b].rows[i]);
-        }
+    for (uint32_t i = 0; i < block->row_count; i++) {
+        n += count_of(&block->rows[i]);
     }
     return n;
 }
@@ -50,62 +51,87 @@ static bool row_has(const struct register_row *row, uint32_t offset, uint32_t *n
 {
     const uint32_t past = offset - row->offset;
     *number = row->stride == 0 ? 0 : past / row->stride;
-    return offset >= row->offset && (row->stride == 0 ? past : past % row->stride) == 0 && *number < count_of(row);
+    return offset >= row->offset && past == *number * row->stride && *number < count_of(row);
 }
 
-static const struct register_block *block_at(const struct register_chip *chip, uint32_t address)
+static void look_in(struct place *place, uint32_t offset)
 {
+    const struct register_block *block = place->block;
+    place->alias = block->aliases ? offset >> 12 & 3 : 0;
+    offset = block->aliases ? offset & ~0x3000U : offset;
+    for (uint32_t i = 0; i < block->row_count; i++) {
+        const struct register_row *row = &block->rows[i];
+        if (row_has(row, offset, &place->number)) {
+            place->row = row;
+            place->cell += place->number;
+            return;
+        }
+        place->cell += count_of(row);
+    }
+}
+
+static struct place look_up(const struct register_chip *chip, uint32_t address)
+{
+    struct place place = {.address = address, .known = true};
     for (uint32_t b = 0; b < chip->block_count; b++) {
-        if (address - chip->blocks[b].base < chip->blocks[b].bytes) {
-            return &chip->blocks[b];
+        const struct register_block *block = &chip->blocks[b];
+        if (address - block->base < block->bytes) {
+            place.block = block;
+            look_in(&place, address - block->base);
+            break;
         }
+        place.cell += cells_of(block);
     }
-    return NULL;
+    return place;
 }
 
-/* Sets place->block, and place->row where there is one. */
-static void find(const struct registers *r, uint32_t core, uint32_t address, struct place *place)
+static struct place find(struct registers *r, uint32_t address)
 {
-    memset(place, 0, sizeof *place);
-    place->block = block_at(r->chip, address);
-    place->cell = 0;
-    for (const struct register_block *b = r->chip->blocks; place->block != NULL && b <= place->block; b++) {
-        uint32_t offset = (address & ~3U) - b->base;
-        place->alias = b->aliases ? offset >> 12 & 3 : 0;
-        offset = b->aliases ? offset & ~0x3000U : offset;
-        for (uint32_t i = 0; i < b->row_count && place->row == NULL; i++) {
-            if (b == place->block && row_has(&b->rows[i], offset, &place->number)) {
-                place->row = &b->rows[i];
-                place->cell += place->number + (b->per_core ? core * r->cell_count : 0);
-            } else {
-                place->cell += count_of(&b->rows[i]);
-            }
-        }
+    const uint32_t word = address & ~3U;
+    struct place *place = &r->places[(word >> 2 ^ word >> 10 ^ word >> 16) % PLACES];
+    if (!place->known || place->address != word) {
+        *place = look_up(r->chip, word);
     }
+    return *place;
 }
 
-static const struct cell *cell_at(const struct registers *r, uint32_t core, uint32_t address)
+static struct cell *cell_of(struct registers *r, uint32_t core, const struct place *place)
 {
-    struct place place;
-    find(r, core, address, &place);
-    return place.row != NULL ? &r->cells[place.cell] : NULL;
+    return &r->cells[place->cell + (place->block->per_core ? core * r->cell_count : 0)];
 }
 
-static uint64_t last_change(const uint64_t changed[32], uint32_t mask)
+/* NULL: the table asks for a register that it does not have. */
+static const struct cell *cell_at(struct registers *r, uint32_t core, uint32_t address)
+{
+    const struct place place = find(r, address);
+    return place.row != NULL ? cell_of(r, core, &place) : NULL;
+}
+
+static uint64_t last_of(const uint64_t changed[32], uint32_t mask)
 {
     uint64_t last = 0;
-    for (uint32_t i = 0; i < 32; i++) {
+    for (uint32_t i = 0; mask >> i != 0 && i < 32; i++) {
         last = (mask >> i & 1) != 0 && changed[i] > last ? changed[i] : last;
     }
     return last;
 }
 
-static bool holds(const struct registers *r, uint32_t core, uint64_t time_ns, const struct register_when *when)
+/* Whether an access with this number came after what the need counts from. */
+static bool is_later(struct registers *r, uint32_t core, const struct register_when *when, uint64_t at)
+{
+    const struct cell *since = when->since != 0 ? cell_at(r, core, when->since) : NULL;
+    if (at == 0 || (when->since != 0 && since == NULL)) {
+        return false;
+    }
+    return since == NULL ||
+           at > (when->since_mask == 0 ? since->written_at : last_of(since->changed_at, when->since_mask));
+}
+
+static bool holds(struct registers *r, uint32_t core, uint64_t time_ns, const struct register_when *when)
 {
     const struct cell *cell = cell_at(r, core, when->address);
-    const struct cell *since = when->since != 0 ? cell_at(r, core, when->since) : NULL;
     if (cell == NULL) {
-        return false; /* a table that asks for a register that it does not have */
+        return false;
     }
     switch ((enum register_need)when->need) {
     case REGISTER_IS:
@@ -113,11 +139,13 @@ static bool holds(const struct registers *r, uint32_t core, uint64_t time_ns, co
     case REGISTER_AT_LEAST:
         return (cell->value & when->mask) >= when->value;
     case REGISTER_SEEN:
-        return cell->seen_at != NEVER_SEEN && (cell->seen & when->mask) == when->value &&
-               (since == NULL || cell->seen_at > last_change(since->changed_at, when->since_mask));
+        return (cell->seen & when->mask) == when->value && is_later(r, core, when, cell->seen_at);
+    case REGISTER_WRITTEN:
+        return is_later(r, core, when, cell->written_at);
     case REGISTER_WAITED:
     default:
-        return time_ns >= last_change(cell->changed_ns, when->mask) + when->value;
+        return last_of(cell->changed_at, when->mask) == 0 ||
+               time_ns >= last_of(cell->changed_ns, when->mask) + when->value;
     }
 }
 
@@ -125,24 +153,25 @@ static const char *object(struct registers *r, const struct place *place, uint32
                           uint32_t value, const char *why)
 {
     char number[12] = "";
+    const char *source = place->row != NULL ? place->row->source : NULL;
     if (place->row != NULL && place->row->count > 1) {
         snprintf(number, sizeof number, "[%u]", (unsigned)place->number);
     }
     snprintf(r->line, sizeof r->line, "%s %s%s (%08x) %s %08x: %s (%s%s%s)",
              place->block != NULL ? place->block->name : r->chip->name, place->row != NULL ? place->row->name : "?",
-             number, (unsigned)address, access, (unsigned)value, why, r->chip->document,
-             place->row != NULL && place->row->source != NULL ? ", " : "",
-             place->row != NULL && place->row->source != NULL ? place->row->source : "");
+             number, (unsigned)address, access, (unsigned)value, why, r->chip->document, source != NULL ? ", " : "",
+             source != NULL ? source : "");
     return r->line;
 }
 
-/* The first need that does not hold for a write that makes `new` of `old`; NULL: all hold. */
-static const char *unmet(const struct registers *r, uint32_t core, uint64_t time_ns, const struct register_when *when,
-                         uint32_t count, uint32_t old, uint32_t new)
+/* The first need that does not hold for an access that makes `is` of `was`; NULL: all hold. */
+static const char *unmet(struct registers *r, uint32_t core, uint64_t time_ns, const struct register_when *when,
+                         uint32_t count, uint32_t was, uint32_t is)
 {
     for (uint32_t i = 0; i < count; i++) {
-        const bool asked = (when[i].changes == 0 || ((old ^ new) & when[i].changes) != 0) &&
-                           (when[i].sets == 0 || (new &when[i].sets) != 0);
+        const bool asked = (when[i].changes == 0 || ((was ^ is) & when[i].changes) != 0) &&
+                           (when[i].sets == 0 || (is & when[i].sets) != 0) &&
+                           (when[i].clears == 0 || (~is & when[i].clears) != 0);
         if (asked && !holds(r, core, time_ns, &when[i])) {
             return when[i].why;
         }
@@ -168,7 +197,7 @@ static bool field_takes(const struct register_row *row, const struct register_fi
     return false;
 }
 
-/* NULL, or what is wrong with the bits of a value; text has room for LINE bytes. */
+/* NULL, or what is wrong with the bits of a value; text has room for LINE / 2 bytes. */
 static const char *bits_are_wrong(const struct register_row *row, uint32_t value, char *text)
 {
     uint32_t known = 0;
@@ -197,21 +226,27 @@ static uint32_t after(uint32_t old, uint32_t alias, uint32_t value)
 
 static void keep(struct registers *r, struct cell *cell, uint64_t time_ns, uint32_t value, bool command)
 {
-    for (uint32_t i = 0; i < 32; i++) {
-        if (((command ? value : cell->value ^ value) >> i & 1) != 0) {
+    const uint32_t changed = command ? value : cell->value ^ value;
+    for (uint32_t i = 0; changed >> i != 0 && i < 32; i++) {
+        if ((changed >> i & 1) != 0) {
             cell->changed_at[i] = r->accesses;
             cell->changed_ns[i] = time_ns;
         }
     }
+    cell->written_at = r->accesses;
     cell->value = command ? cell->value : value;
+}
+
+static bool is_part(const struct register_row *row, uint32_t address, uint32_t bytes)
+{
+    return !row->narrow && (bytes != 4 || (address & 3) != 0);
 }
 
 const char *registers_write(struct registers *r, uint32_t core, uint64_t time_ns, uint32_t address, uint32_t value,
                             uint32_t bytes)
 {
-    struct place place;
     char text[LINE / 2];
-    find(r, core, address, &place);
+    const struct place place = find(r, address);
     r->accesses++;
     if (place.row == NULL) {
         return object(r, &place, address, "=", value, "no such register in the table");
@@ -219,31 +254,34 @@ const char *registers_write(struct registers *r, uint32_t core, uint64_t time_ns
     if (place.row->kind == REGISTER_STATUS) {
         return object(r, &place, address, "=", value, "it is read only");
     }
-    if (bytes != 4 && !place.row->narrow) {
+    if (is_part(place.row, address, bytes)) {
         return object(r, &place, address, "=", value, "it takes whole words only");
     }
-    struct cell *cell = &r->cells[place.cell];
+    struct cell *cell = cell_of(r, core, &place);
     const bool command = place.row->kind == REGISTER_COMMAND;
-    const uint32_t old = command ? 0 : cell->value, new = after(old, place.alias, value);
-    const char *why = unmet(r, core, time_ns, place.block->when, place.block->when_count, old, new);
-    why = why != NULL ? why : unmet(r, core, time_ns, place.row->when, place.row->when_count, old, new);
-    why = why != NULL ? why : bits_are_wrong(place.row, new, text);
-    keep(r, cell, time_ns, new, command);
+    const uint32_t was = command ? 0 : cell->value, is = after(was, place.alias, value);
+    const char *why = unmet(r, core, time_ns, place.block->when, place.block->when_count, was, is);
+    why = why != NULL ? why : unmet(r, core, time_ns, place.row->when, place.row->when_count, was, is);
+    why = why != NULL ? why : bits_are_wrong(place.row, is, text);
+    keep(r, cell, time_ns, is, command);
     return why != NULL ? object(r, &place, address, "=", value, why) : NULL;
 }
 
 const char *registers_read(struct registers *r, uint32_t core, uint64_t time_ns, uint32_t address, uint32_t value,
                            uint32_t bytes)
 {
-    struct place place;
-    (void)bytes;
-    find(r, core, address, &place);
+    const struct place place = find(r, address);
     r->accesses++;
     if (place.row == NULL) {
         return object(r, &place, address, "reads", value, "no such register in the table");
     }
-    struct cell *cell = &r->cells[place.cell];
+    if (is_part(place.row, address, bytes)) {
+        return object(r, &place, address, "reads", value, "it takes whole words only");
+    }
+    struct cell *cell = cell_of(r, core, &place);
+    const uint32_t when_count = place.row->kind == REGISTER_STATUS ? place.row->when_count : 0;
     const char *why = unmet(r, core, time_ns, place.block->when, place.block->when_count, 0, 0);
+    why = why != NULL ? why : unmet(r, core, time_ns, place.row->when, when_count, 0, 0);
     cell->seen = value;
     cell->seen_at = r->accesses;
     return why != NULL ? object(r, &place, address, "reads", value, why) : NULL;
@@ -268,8 +306,11 @@ void registers_restart(struct registers *r)
 
 struct registers *registers_new(const struct register_chip *chip, uint32_t cores)
 {
-    const uint32_t cells = cells_of(chip);
-    struct registers *r = malloc(sizeof *r + (size_t)cores * cells * sizeof r->cells[0]);
+    uint32_t cells = 0;
+    for (uint32_t b = 0; b < chip->block_count; b++) {
+        cells += cells_of(&chip->blocks[b]);
+    }
+    struct registers *r = calloc(1, sizeof *r + (size_t)cores * cells * sizeof r->cells[0]);
     if (r != NULL) {
         r->chip = chip;
         r->cores = cores;

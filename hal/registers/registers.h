@@ -1,9 +1,9 @@
 /*
- * registers: what a chip takes as writes to its registers, and a model that refuses all else.
+ * registers: what a chip takes as accesses to its registers, and a model that refuses all else.
  *
- * A port has a table (hal/CHIP/registers.c): a row for each register that it writes, with the bits that exist, the
- * values whose effect is known, when it may be written, and the document that says so. The emulators tell a struct
- * registers of every access; it keeps what was written and read, and says what silicon would not take. Emulators
+ * A port has a table (hal/CHIP/registers_table.c): a row for each register that it writes or reads, with the bits that
+ * exist, the values whose effect is known, when it may be written, and the document that says so. The emulators tell a
+ * struct registers of every access; it keeps what was written and read, and says what silicon would not take. Emulators
  * themselves forgive much: a write while a unit is on, a unit that is in reset or has no clock, a reserved bit, a wait
  * that is missing.
  *
@@ -28,18 +28,20 @@ enum register_need {
     REGISTER_IS,       /* the register at `address` holds `value` in the bits `mask` */
     REGISTER_AT_LEAST, /* .. at least `value` (mask and value are in place) */
     REGISTER_SEEN,     /* the program has read `value` in the bits `mask` there, since the bits `since_mask` of the
-                          register at `since` changed last (since 0: ever) */
+                          register at `since` changed last (since 0: ever; since_mask 0: since it was written last) */
     REGISTER_WAITED,   /* `value` ns have passed since the bits `mask` of the register at `address` changed last */
+    REGISTER_WRITTEN,  /* the program has written the register at `address`, since .. as with REGISTER_SEEN */
 };
 
-/* What must hold before a write. */
+/* What must hold before a write; before a read of a REGISTER_STATUS. */
 struct register_when {
-    uint32_t changes; /* asked only where the write changes one of these bits; 0: at every write */
+    uint32_t changes; /* asked only where the write changes one of these bits; 0: at every access */
     uint32_t sets;    /* .. and one of these bits is 1 after it; 0: whatever they are */
     uint8_t need;     /* enum register_need */
     uint32_t address, mask, value;
     uint32_t since, since_mask;
     const char *why; /* "while SSIENR is 1 the SSI ignores it": the end of the objection */
+    uint32_t clears; /* .. and one of these bits is 0 after it; 0: whatever they are */
 };
 
 enum register_kind {
@@ -69,7 +71,7 @@ struct register_block {
     bool per_core; /* each core has its own */
     const struct register_row *rows;
     uint16_t row_count;
-    const struct register_when *when; /* before any access; `changes` and `sets` are 0 */
+    const struct register_when *when; /* before any access; `changes`, `sets` and `clears` are 0 */
     uint8_t when_count;
 };
 
@@ -80,6 +82,9 @@ struct register_chip {
 };
 
 #define REGISTER_LIST(list) (list), sizeof(list) / sizeof *(list)
+
+/* hal/CHIP/registers_table.c */
+extern const struct register_chip registers_rp2040, registers_rp2350;
 
 struct registers;
 

@@ -104,7 +104,8 @@ start:
     mov sp, r1
     bx r2
 
-/* r7: BAUDR, r1: CTRLR0, r2: SPI_CTRLR0; changes r0 and r4. CTRLR1 is 0: one frame a read. */
+/* r7: BAUDR, r1: CTRLR0, r2: SPI_CTRLR0; changes r0 and r4. CTRLR1 is 0: one frame a read; RX_SAMPLE_DLY is 1. While it
+ * is on the SSI ignores all of them. */
 set_up:
     movs r0, #0
     str r0, [r3, #SSIENR]       /* off during set-up; empties the FIFOs */
@@ -116,7 +117,6 @@ set_up:
     str r0, [r3, r4]
     movs r4, #SPI_CTRLR0
     str r2, [r3, r4]
-    movs r0, #1
     str r0, [r3, #SSIENR]
     bx lr
 

@@ -12,13 +12,13 @@ static void unreset(uint32_t blocks)
     }
 }
 
-/* Datasheet 2.16: the start-up is counted in units of 256 cycles, up to 16383; 255 ms are 11985. */
+/* Datasheet 2.16: the start-up is counted in units of 256 cycles, up to 16383; 255 ms are 11985. It comes first: on an
+ * RP2040 every write to CTRL that does not disable the crystal starts it. */
 static void start_crystal(void)
 {
     const uint32_t ms = board_here->crystal_start_ms > 0 ? board_here->crystal_start_ms : 1;
-    REG(XOSC_CTRL) = 0xaa0; /* 1 .. 15 MHz */
     REG(XOSC_STARTUP) = (CRYSTAL_MHZ * 1000 / 256 + 1) * ms;
-    REG_SET(XOSC_CTRL) = 0xfab << 12; /* enable */
+    REG(XOSC_CTRL) = 0xfab << 12 | 0xaa0; /* enable; 1 .. 15 MHz */
     while ((REG(XOSC_STATUS) & 1U << 31) == 0) {
     }
 }

@@ -3,6 +3,7 @@ import { closeSync, openSync, readFileSync, writeSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
+import { makeAccesses } from './accesses.mjs';
 import { CHIPS } from './flash_chips.mjs';
 import { makeMachine } from './machine.mjs';
 
@@ -26,6 +27,7 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
                       note 'frame' where the last bit of one is out. Without them a frame begins with the command memory write, 2Ch
   --jump FRAME:N      the scene of this frame is that of number N, and the next ones follow; may be given several times
   --delays SEED       each core waits now and then, for up to 30 us; frame N has the delays of SEED + N
+  --accesses FILE     the accesses to registers, for rp2040-registers
   --free-wire         words take no time on the bus: the report has the cores' own time
   --free-flash        flash is as fast as RAM (it lies behind a cache, see flash.mjs)
   --limit-ms N        ends with an error when so much emulated time has passed (60000)
@@ -41,7 +43,7 @@ const { values: options, positionals } = parseArgs({
     report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
     press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
     jump: { type: 'string', multiple: true, default: [] },
-    delays: { type: 'string' }, charge: { type: 'string', default: '0' }, fault: { type: 'string' }, calls: { type: 'string' },
+    accesses: { type: 'string' }, delays: { type: 'string' }, charge: { type: 'string', default: '0' }, fault: { type: 'string' }, calls: { type: 'string' },
     'free-wire': { type: 'boolean', default: false }, 'free-flash': { type: 'boolean', default: false }, 'limit-ms': { type: 'string', default: '60000' },
     help: { type: 'boolean', default: false },
   },
@@ -184,6 +186,7 @@ function addDelays(seed) {
   return (frame) => { chance = Math.imul(seed + frame, 2654435761) >>> 0; };
 }
 const setDelays = options.delays === undefined ? () => {} : addDelays(Number(options.delays));
+const accesses = options.accesses === undefined ? null : makeAccesses(machine, options.accesses);
 const file = readFileSync(positionals[0]);
 machine.load(new DataView(file.buffer, file.byteOffset).getUint32(0, true) === 0x0a324655 ? unpackUf2(file) : file);
 
@@ -295,6 +298,7 @@ setPins();
 const isDone = options.calls === undefined ? () => frame >= frames : () => done >= frames;
 machine.run(() => isDone() || machine.time > limit || objections > 0);
 recorder.close();
+const allTaken = accesses === null || accesses.close();
 if (fd !== 1) {
   closeSync(fd);
 }
@@ -304,6 +308,9 @@ machine.cores.filter((own) => own.started).forEach((own, i) => {
 console.error(`emulate: flash is read by ${machine.flash.way}; the crystal had ${machine.mcu.peripherals[XOSC].startup} x 256 cycles to start`);
 if (!machine.flashIntact()) {
   fail('the image wrote into flash as if it were RAM');
+}
+if (!allTaken) {
+  process.exit(1); // rp2040-registers has said why
 }
 if (objections > 0) {
   fail(`${objections} objections of the emulator`);

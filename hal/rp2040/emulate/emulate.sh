@@ -2,7 +2,8 @@
 # Usage: emulate.sh IMAGE.elf DIR FRAMES [option of emulate.mjs ...] | --install
 # Runs an image of an RP2040 board in rp2040js, or with CHIP=rp2350 of an RP2350 board in hal/rp2350/emulate. pinhole-wire
 # makes its frames, DIR/frame-NNNN.ppm, from the chip's wires.
-# Prints their checksums and how fast they came. DIR/events and DIR/report stay (see emulate.mjs).
+# Prints their checksums and how fast they came. DIR/events and DIR/report stay (see emulate.mjs). An access to a register
+# that silicon would not take (hal/registers) ends it.
 # An RP2040 needs node and npm. npm gets rp2040js (package.json has the version) into the build directory; --install does
 # only that.
 # Environment: B (build directory), BOARD, BOARD_HOME, CORES (of the chip; 2), EVENTS_ONLY=1 (no pictures), HOSTCC.
@@ -16,9 +17,11 @@ stop() {
     exit 1
 }
 
-node='' new='' unfinished=''
+node='' checker='' new='' unfinished=''
 leave() { # no node goes on, no half-written file stays
     [ -z "$node" ] || kill "$node" 2>/dev/null || true
+    [ -z "$checker" ] || kill "$checker" 2>/dev/null || true
+    rm -f "${accesses-}"
     [ -z "$new" ] || rm -rf "$new"
     [ -z "$unfinished" ] || rm -f "$unfinished/events" "$unfinished/report"
 }
@@ -44,6 +47,7 @@ if [ "${CHIP-}" = rp2350 ]; then
 else
     install_rp2040js
     emulator=(node "$here/emulate.mjs" --modules "$modules/node_modules")
+    make -s B="$B" "$B/rp2040-registers" >&2
 fi
 [ "$1" != --install ] || exit 0
 elf=$1 out=$2 frames=$3
@@ -59,11 +63,20 @@ pin() { sed -n "s/.*\.$1 = { *1, *[01], *(\([0-9]*\)).*/\1/p" <<<"$board"; } # {
 calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("runner_send" in at) { print at["runner_send"] "," at["rp2040_bus_write"] "," at["rp2040_bus_write_rows"] "," at["runner_scene"] "," at["runner_ahead"] } }')
 mkdir -p "$out"
 unfinished=$out
+if [ "${CHIP-}" != rp2350 ]; then
+    accesses=$out/accesses
+    rm -f "$accesses" && mkfifo "$accesses"
+    "$B/rp2040-registers" <"$accesses" &
+    checker=$!
+    emulator+=(--accesses "$accesses")
+fi
 "${emulator[@]}" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \
     --frames "$frames" --events "$out/events" --report "$out/report" ${calls:+--calls "$calls"} "$@" "${elf%.elf}.bin" &
 node=$!
 wait "$node" || { node='' && exit 1; }
-node='' unfinished=''
+node=''
+[ -z "$checker" ] || wait "$checker" || { checker='' && exit 1; }
+checker='' unfinished=''
 [ "${EVENTS_ONLY-}" = 1 ] || "$B/pinhole-wire" --board "$BOARD" ${calls:+--notes} --out "$out" "$out/events"
 awk '{ us += $2; bus += $3; load += $5; load1 += $6 }
     END { if (NR > 0) { printf "%.1f frames/s: %.2f ms a frame, %.2f of them on the bus; load of core 0 %.0f %%", NR * 1e6 / us, us / NR / 1e3, bus / NR / 1e3, load / NR

@@ -11,14 +11,15 @@
 // r0 .. r3 and the word on the stack when core 0 comes there: the five arguments. With machine.freeWire words take no
 // time, as in rp2040js; the cores' own time is left. With machine.freeFlash flash is as fast as RAM. A pin reads low until machine.chargeUs after its pull-up was turned
 // on, as with a capacitor. machine.resting is the time in ns that all cores slept at once. machine.delay(core) says how many
-// ns a core waits after an instruction (0).
+// ns a core waits after an instruction (0). onAccess(core, address, value, bytes, writes): a core has read or will write a
+// register; onRestart(): they are as after a reset.
 
 import { makeFlash } from './flash.mjs';
 import { CHIPS } from './flash_chips.mjs';
 
 const BOOT2_BYTES = 256;
 const BOOT2_PLACE = 0x20041f00;
-const FLASH = 0x10, FLASH_PAST_CACHE = 0x13; // highest byte of an address
+const FLASH = 0x10, FLASH_PAST_CACHE = 0x13, SSI = 0x18; // highest byte of an address
 const CPUID = 0x00, FIFO_ST = 0x50, FIFO_WR = 0x54, FIFO_RD = 0x58, SHARED_END = 0x50, SPINLOCK0 = 0x100;
 const FIFO_READABLE = 1, FIFO_WRITABLE = 2;
 const FIFO_WORDS = 8;
@@ -27,7 +28,8 @@ const MPU_TYPE_ACCESS = 0x7 << 24, MPU_ON_WITH_BACKGROUND = 5;
 const HARD_FAULT = 3;
 const FORBIDDEN = Symbol('the MPU forbids this access');
 const WATCHDOG = 0x40058, PSM = 0x40010, ALL_BUT_OSCILLATORS = 0x1fffc;
-const PAD_AFTER_RESET = 0x36, FUNCTION_AFTER_RESET = 0x1f;
+const PAD_AFTER_RESET = 0x56, FUNCTION_AFTER_RESET = 0x1f; // datasheet 2.19.6
+const QSPI_PADS_AFTER_RESET = [0x56, 0x52, 0x52, 0x52, 0x52, 0x5a];
 const PULLED_UP = 3; // GPIOPinState.InputPullUp
 
 // Cortex-M0+ TRM: cycles of instructions (3.3) that rp2040js counts one too few, because LR and PC are registers of the
@@ -144,10 +146,13 @@ function addMpu(machine, own, ppb) {
   };
 }
 
+// Registers lie from 0x40000000 on; those of the SSI lie below.
+const isRegister = (address) => address >>> 28 >= 4 || address >>> 24 === SSI;
+
 // What a core reads and writes passes its MPU; what it reads of flash takes time. Instructions are read as halfwords.
 function addMemory(machine, own, check) {
   const { core } = own, chip = core.rp2040, { flash } = machine;
-  for (const access of ['readUint32', 'readUint8']) {
+  for (const [access, bytes] of [['readUint32', 4], ['readUint8', 1]]) {
     const read = chip[access].bind(chip);
     core[access] = (signed) => {
       const address = signed >>> 0;
@@ -155,7 +160,11 @@ function addMemory(machine, own, check) {
       if (address >>> 24 === FLASH) {
         core.cycles += flash.read(own, address);
       }
-      return address >>> 24 === FLASH_PAST_CACHE ? flash.probe(own, read(address)) : read(address);
+      const value = address >>> 24 === FLASH_PAST_CACHE ? flash.probe(own, read(address)) : read(address);
+      if (isRegister(address)) {
+        machine.onAccess(own, address, value, bytes, false);
+      }
+      return value;
     };
   }
   core.readUint16 = (signed) => {
@@ -168,10 +177,14 @@ function addMemory(machine, own, check) {
     core.cycles += address === core.registers[15] ? MORE_CYCLES[value] : 0;
     return value;
   };
-  for (const access of ['writeUint32', 'writeUint16', 'writeUint8']) {
+  for (const [access, bytes] of [['writeUint32', 4], ['writeUint16', 2], ['writeUint8', 1]]) {
     const write = chip[access].bind(chip);
     core[access] = (signed, value) => {
-      check(signed >>> 0);
+      const address = signed >>> 0;
+      check(address);
+      if (isRegister(address)) {
+        machine.onAccess(own, address, value, bytes, true);
+      }
       write(signed, value);
     };
   }
@@ -213,6 +226,7 @@ function addWatchdog(machine, fifos) {
       machine.warn('the watchdog does not reset all of the chip');
     }
     resetChip(machine, fifos);
+    machine.onRestart();
     machine.boot();
   };
 }
@@ -317,7 +331,7 @@ export function makeMachine(lib, { cores = 1, warn, chip = 'w25q16jv' }) {
   const { clock } = mcu;
   const machine = {
     mcu, warn, calls: new Map(), freeWire: false, freeFlash: false, resting: 0, misses: 0, chargeUs: 0, levels: 0, wordInFlight: false, ended: null, cores: [],
-    onWord() {}, onWordStart() {}, onLevels() {}, onUart() {}, onTrouble() {}, delay: () => 0,
+    onWord() {}, onWordStart() {}, onLevels() {}, onUart() {}, onTrouble() {}, onAccess() {}, onRestart() {}, delay: () => 0,
     end(why) { machine.ended = why; },
     get time() { return clock.nanos; },
   };
@@ -361,6 +375,7 @@ export function makeMachine(lib, { cores = 1, warn, chip = 'w25q16jv' }) {
   machine.boot = () => {
     machine.flash.reset();
     machine.cores.forEach((own) => { own.word = 0; });
+    mcu.qspi.forEach((pin, i) => { pin.padValue = QSPI_PADS_AFTER_RESET[i]; });
     mcu.sram.set(machine.image.subarray(0, BOOT2_BYTES), BOOT2_PLACE - 0x20000000);
     mcu.core.SP = BOOT2_PLACE;
     mcu.core.LR = 0;

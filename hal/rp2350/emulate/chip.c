@@ -10,7 +10,7 @@
 
 void chip_warn(struct chip *chip, const char *format, ...)
 {
-    char text[160];
+    char text[400];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
@@ -38,6 +38,7 @@ uint64_t chip_interrupts(const struct chip *chip)
 /* Everything but memory and the watchdog's own registers. */
 void chip_reset(struct chip *chip)
 {
+    registers_restart(chip->registers);
     clocks_reset(chip);
     pins_reset(chip);
     memset(chip->spi, 0, sizeof chip->spi);
@@ -58,7 +59,8 @@ void chip_reset(struct chip *chip)
 void chip_init(struct chip *chip, uint32_t cores, const uint8_t *image, uint32_t bytes)
 {
     chip->flash = malloc(FLASH_BYTES);
-    if (chip->flash == NULL) {
+    chip->registers = registers_new(&registers_rp2350, CORES);
+    if (chip->flash == NULL || chip->registers == NULL) {
         abort();
     }
     memset(chip->flash, 0xff, FLASH_BYTES);

@@ -21,6 +21,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "registers/registers.h"
+
 #define ROM_BYTES   0x8000
 #define RAM_BASE    0x20000000
 #define RAM_BYTES   0x82000
@@ -28,6 +30,7 @@
 #define FLASH_BYTES 0x1000000
 #define NEVER       UINT64_MAX
 #define FS_PER_US   1000000000ULL
+#define FS_PER_NS   1000000ULL
 #define CORES       2
 #define PINS        30
 #define CHANNELS    16
@@ -102,6 +105,7 @@ struct chip_hooks {
 
 struct chip {
     struct chip_hooks hooks;
+    struct registers *registers; /* what silicon takes */
     struct core core[CORES];
     uint32_t cores;
     bool riscv;       /* the instruction set of the cores, which the image definition says */

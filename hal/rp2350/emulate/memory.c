@@ -14,23 +14,6 @@ static const uint8_t *readable(const struct chip *chip, uint32_t address, uint32
     return address <= ROM_BYTES - bytes ? chip->rom + address : NULL;
 }
 
-/* The bit of RESETS (7.5) that holds a block; 32: none. */
-static uint32_t reset_bit(uint32_t address)
-{
-    static const struct {
-        uint32_t base, bit;
-    } blocks[] = {
-        {0x40028000, 6},  {0x40038000, 9},  {0x40050000, 14}, {0x40058000, 15}, {0x40070000, 26},
-        {0x40080000, 18}, {0x40088000, 19}, {0x400b0000, 23}, {0x50000000, 2},
-    };
-    for (uint32_t i = 0; i < sizeof blocks / sizeof *blocks; i++) {
-        if (blocks[i].base == address) {
-            return blocks[i].bit;
-        }
-    }
-    return 32;
-}
-
 static uint32_t block_read(struct chip *chip, uint32_t block, uint32_t offset)
 {
     switch (block) {
@@ -77,19 +60,13 @@ static void block_write(struct chip *chip, uint32_t block, uint32_t offset, uint
     }
 }
 
-/* Whether a word of a block may be used now. */
-static bool usable(struct core *core, uint32_t block, uint32_t address, uint32_t bytes, const char *how)
+/* Whether the chip takes an access, of which the line of hal/registers complains; NULL: it does. */
+static bool takes(struct core *core, const char *line)
 {
-    struct chip *chip = core->chip;
-    const uint32_t bit = reset_bit(block);
-    if (bytes != 4 || address & 3) {
-        chip_warn(chip, "core %u %s %u bytes at %08x, where only words are", core->index, how, bytes, address);
-    } else if (bit < 32 && chip->resets >> bit & 1) {
-        chip_warn(chip, "core %u %s %08x, whose block is in reset", core->index, how, address);
-    } else {
-        return true;
+    if (line != NULL) {
+        chip_warn(core->chip, "core %u at %08x: %s", core->index, core->pc, line);
     }
-    return false;
+    return line == NULL;
 }
 
 static bool is_private(uint32_t address)
@@ -97,20 +74,24 @@ static bool is_private(uint32_t address)
     return address >> 12 == 0xe000e;
 }
 
-static uint32_t io_read(struct core *core, uint32_t address, uint32_t bytes)
+static uint32_t register_read(struct core *core, uint32_t address)
 {
-    const uint32_t block = address & 0xffff8000;
-    core->chip->now = core->time; /* NOLINT(clang-analyzer-core.NullDereference): every core has its chip */
-    if (!usable(core, block, address, bytes, "reads")) {
-        return 0;
-    }
     if (is_private(address)) {
         return arm_private_read(core, address);
     }
-    if (block == 0xd0000000) {
+    if (address >> 15 == 0xd0000000 >> 15) {
         return sio_read(core, address & 0x7fff);
     }
-    return block_read(core->chip, block, address & 0xfff);
+    return block_read(core->chip, address & 0xffff8000, address & 0xfff);
+}
+
+static uint32_t io_read(struct core *core, uint32_t address, uint32_t bytes)
+{
+    struct chip *chip = core->chip;
+    chip->now = core->time; /* NOLINT(clang-analyzer-core.NullDereference): every core has its chip */
+    const uint32_t value = register_read(core, address & ~3U);
+    takes(core, registers_read(chip->registers, core->index, chip->now / FS_PER_NS, address, value, bytes));
+    return value;
 }
 
 /* A block of 4 KB is there four times: to write, to toggle, to set and to clear bits (2.1.3). */
@@ -119,7 +100,7 @@ static void io_write(struct core *core, uint32_t address, uint32_t value, uint32
     struct chip *chip = core->chip;
     const uint32_t block = address & 0xffff8000, offset = address & 0xfff;
     chip->now = core->time;
-    if (!usable(core, block, address, bytes, "writes")) {
+    if (!takes(core, registers_write(chip->registers, core->index, chip->now / FS_PER_NS, address, value, bytes))) {
         return;
     }
     if (is_private(address)) {

@@ -3,7 +3,6 @@
 
 #include <inttypes.h>
 
-#define FS_PER_NS      1000000
 #define TRANSFER_BYTES 4096
 #define WAITING_MOST   16
 
