@@ -116,15 +116,17 @@ static uint64_t last_of(const uint64_t changed[32], uint32_t mask)
     return last;
 }
 
-/* Whether an access with this number came after what the need counts from. */
+/* Whether the access with this number, if it is asked for, came after what the need counts from. */
 static bool is_later(struct registers *r, uint32_t core, const struct register_when *when, uint64_t at)
 {
     const struct cell *since = when->since != 0 ? cell_at(r, core, when->since) : NULL;
-    if (at == 0 || (when->since != 0 && since == NULL)) {
-        return false;
+    if (since == NULL) {
+        return at != 0 && when->since == 0;
     }
-    return since == NULL ||
-           at > (when->since_mask == 0 ? since->written_at : last_of(since->changed_at, when->since_mask));
+    if (when->since_mask == 0) {
+        return since->written_at == 0 || at > since->written_at;
+    }
+    return at > last_of(since->changed_at, when->since_mask);
 }
 
 static bool holds(struct registers *r, uint32_t core, uint64_t time_ns, const struct register_when *when)
@@ -139,7 +141,7 @@ static bool holds(struct registers *r, uint32_t core, uint64_t time_ns, const st
     case REGISTER_AT_LEAST:
         return (cell->value & when->mask) >= when->value;
     case REGISTER_SEEN:
-        return (cell->seen & when->mask) == when->value && is_later(r, core, when, cell->seen_at);
+        return is_later(r, core, when, (cell->seen & when->mask) == when->value ? cell->seen_at : 0);
     case REGISTER_WRITTEN:
         return is_later(r, core, when, cell->written_at);
     case REGISTER_WAITED:

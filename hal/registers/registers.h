@@ -28,7 +28,8 @@ enum register_need {
     REGISTER_IS,       /* the register at `address` holds `value` in the bits `mask` */
     REGISTER_AT_LEAST, /* .. at least `value` (mask and value are in place) */
     REGISTER_SEEN,     /* the program has read `value` in the bits `mask` there, since the bits `since_mask` of the
-                          register at `since` changed last (since 0: ever; since_mask 0: since it was written last) */
+                          register at `since` changed last (since 0: ever; since_mask 0: since it was written last, and
+                          nothing is asked if it never was) */
     REGISTER_WAITED,   /* `value` ns have passed since the bits `mask` of the register at `address` changed last */
     REGISTER_WRITTEN,  /* the program has written the register at `address`, since .. as with REGISTER_SEEN */
 };

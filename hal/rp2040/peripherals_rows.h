@@ -289,6 +289,7 @@ static const struct register_when uart_off_when[] = {
     {IS(UART0_CR, 1, 0), .why = "the UART is on"},
 };
 static const struct register_when uart_cr_when[] = {
+    {.changes = 1, .sets = 1, AT_LEAST(UART0_IBRD, 0xffff, 1), .why = "IBRD has not been set"},
     {.changes = 1,
      .sets = 1,
      WRITTEN(UART0_LCR_H),

@@ -104,6 +104,11 @@ static const struct register_when ssi_on_when[] = {
 };
 static const struct register_when ssienr_when[] = {
     {.changes = 1, .sets = 1, AT_LEAST(SSI(0x14), 0xffff, 2), .why = "BAUDR has no divisor"},
+    {.changes = 1,
+     .clears = 1,
+     SEEN(SSI(0x28), 5, 4),
+     SINCE(SSI(0x60), 0),
+     .why = "a transfer may be on its way: SR did not say that all is sent (TFE, not BUSY)"},
 };
 static const struct register_row ssi_rows[] = {
     {"CTRLR0", 0x00, .start = 0, REGISTER_LIST(ctrlr0_fields), REGISTER_LIST(ssi_off_when), "4.10.13"},

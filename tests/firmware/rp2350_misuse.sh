@@ -2,7 +2,8 @@
 # Small images for the emulated RP2350, each with one mistake; needs B and dir (a folder for the results).
 #   complains TEXT, assembler lines on stdin   the image's last lines; the emulator must object with this text
 #   works                                      the same, without an objection
-# The image starts with all blocks out of reset, clk_peri on, SPI0 on with its pins, and D/C (GP16) an output.
+# The image starts with the blocks that it uses out of reset, clk_peri on, SPI0 on with its pins, and D/C (GP16) an output.
+# Beside instructions it has `store address, value`, `see address`, which reads, and `send value`, a word for SPI0.
 
 misuse_image() {
     cat >"$dir/misuse.S" <<'EOT'
@@ -13,13 +14,22 @@ misuse_image() {
     ldr r1, =\value
     str r1, [r0]
     .endm
+    .macro see, address
+    ldr r0, =\address
+    ldr r1, [r0]
+    .endm
+    .macro send, value
+    see 0x4008000c                       @ TNF
+    store 0x40080008, \value
+    .endm
     .word 0x20010000, start + 1
     .fill 66, 4, 0
     .word 0xffffded3, 0x10210142, 0x000001ff, 0, 0xab123579
     .thumb_func
 start:
-    store 0x40020000, 0                  @ RESETS
     store 0x40010048, 0x800              @ clk_peri from clk_sys
+    store 0x40023000, 0x4044244          @ out of reset: DMA, pins, pads, PLL_SYS, SPI0, UART0
+    see 0x40020008
     store 0xd0000038, 0x30000            @ GP16, GP17: outputs
     store 0x40038044, 0x52               @ their pads, and those of GP18 and GP19
     store 0x40038048, 0x52

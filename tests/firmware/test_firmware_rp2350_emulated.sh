@@ -43,10 +43,10 @@ moves_dc() { # "" or the lines that wait for the last bit
     misuse_image <<EOT || return 1
     store 0xd0000018, 0x10000            @ data
     store 0xd0000020, 0x20000            @ selected
-    store 0x40080008, 0x55
+    send 0x55
 $1
     store 0xd0000020, 0x10000            @ a command
-    store 0x40080008, 0x00
+    send 0
 1:  ldr r0, =0x4008000c
     ldr r0, [r0]
     lsls r0, r0, #27
@@ -62,8 +62,6 @@ dc_in_mid_word_is_caught() {
         { cat "$dir/said" "$dir/misuse.log" && return 1; }
 }
 
-nine_words() { for _ in 1 2 3 4 5 6 7 8 9 10; do echo 'str r1, [r0]'; done; }
-
 dma_of_100_bytes='store 0x50000000, 0x20000000; store 0x50000004, 0x40080008; store 0x50000008, 100; store 0x5000000c, 0x300011'
 
 check "images_are_within_their_budgets" builds
@@ -77,26 +75,33 @@ check "its_two_cores_draw_the_same" every_demo 2
 check "both_of_them_work" both_cores_work
 check "and_do_with_any_delays_between_them" any_delays
 unset ISA
-check "an_image_without_mistakes_works" works <<<"store 0x40080008, 1; $dma_of_100_bytes"
+check "an_image_without_mistakes_works" works <<<"send 1; $dma_of_100_bytes"
 check "D_C_that_moves_in_mid_word_is_caught" dc_in_mid_word_is_caught
-check "a_clock_over_the_limit" complains "over the chip's 150" <<<"
-    store 0x40048000, 0xfabaa0; store 0x40050000, 1; store 0x40050008, 125; store 0x4005000c, 0x42000; store 0x40050004, 0
-    store 0x4001003c, 1"
-check "a_PLL_out_of_its_range" complains 'a PLL oscillates at 1920000000 Hz' <<<'store 0x40050000, 1; store 0x40050008, 160; store 0x40050004, 0'
-check "a_block_in_reset" complains 'whose block is in reset' <<<'store 0x40020000, 0x40000; store 0x40080000, 7'
-check "an_isolated_pad" complains 'pin 16 is driven, but its pad is isolated' <<<'store 0x40038044, 0x152; store 0xd0000018, 0x10000'
-check "a_bus_without_pins" complains 'SPI0 sends, but no pin carries' <<<'store 0x40028094, 31; store 0x40080008, 1'
-check "a_full_FIFO" complains 'the full FIFO of SPI0' <<<"ldr r0, =0x40080008; $(nine_words)"
-check "a_bus_that_is_off" complains 'SPI0, which is off' <<<'store 0x40080004, 0; store 0x40080008, 1'
-check "a_bus_set_up_in_mid_word" complains 'is set up while a word is on its way' <<<'store 0x40080008, 1; store 0x40080000, 15'
+# ---- what the emulator itself objects to ------------------------------------------------------------
+crystal='store 0x4004800c, 47; store 0x40048000, 0xfabaa0; 7: see 0x40048004; lsls r1, r1, #1; bcc 7b'
+pll="$crystal; store 0x40050008, 125; store 0x40053004, 0x21; 7: see 0x40050000; lsls r1, r1, #1; bcc 7b
+     store 0x4005000c, 0x42000; store 0x40053004, 8"
+check "a_clock_over_the_limit" complains "over the chip's 150" <<<"$pll; store 0x4001303c, 1; see 0x40010044; store 0x4001303c, 0x40; store 0x4001203c, 1"
+check "an_isolated_pad" complains 'pin 0 is driven, but its pad is isolated' <<<'store 0x40028004, 5; store 0xd0000038, 1; store 0xd0000018, 1'
+check "a_bus_without_pins" complains 'SPI0 sends, but no pin carries' <<<'store 0x40028094, 5; send 1'
 check "a_DMA_channel_that_works" complains 'DMA channel 0 is set up while it works' <<<"$dma_of_100_bytes; store 0x50000000, 0x20000000"
-check "a_DMA_to_a_bus_that_is_off" complains 'the DMA writes to SPI0, which is off' <<<"store 0x40080004, 0; $dma_of_100_bytes"
 check "a_DMA_from_nowhere" complains 'the DMA reads 1 bytes at 30000000' <<<"${dma_of_100_bytes/0x20000000/0x30000000}"
 check "an_address_where_nothing_is" complains 'reads 4 bytes at 30000000, where nothing is' <<<'ldr r0, =0x30000000; ldr r0, [r0]'
-check "a_register_that_is_half_written" complains 'writes 2 bytes at 40080000, where only words are' <<<'ldr r0, =0x40080000; strh r0, [r0]'
 check "words_that_are_not_aligned" complains 'words at 20000002 with an instruction that needs them aligned' <<<'ldr r0, =0x20000002; ldmia r0, {r1, r2}'
 check "a_write_into_flash" complains 'where no RAM is' <<<'store 0x10000100, 1'
 check "an_empty_FIFO_between_the_cores" complains 'core 0 read an empty FIFO' <<<'ldr r0, =0xd0000058; ldr r0, [r0]'
 check "a_call_of_Arm_code" complains 'which is no Thumb code' <<<'ldr r0, =0x10000000; bx r0'
-check "a_watchdog_without_ticks" complains 'the watchdog is on, but has no tick' <<<'store 0x400d8000, 0x40000000'
+# ---- and what silicon does not take: hal/registers ---------------------------------------------------
+check "a_PLL_out_of_its_range" complains 'PLL_SYS FBDIV_INT (40050008) = 000000a0: FBDIV_INT: the effect of a0 is not known' <<<"$crystal; store 0x40050008, 160"
+check "a_PLL_whose_crystal_is_not_stable" complains 'PLL_SYS PWR (40053004) = 00000021: the crystal was not seen' <<<'store 0x40050008, 125; store 0x40053004, 0x21'
+check "a_block_in_reset" complains 'SPI0 SSPCR1 (40080004) = 00000000: the block is in reset' <<<'store 0x40022000, 0x40000; store 0x40080004, 0'
+check "a_block_that_may_be_in_reset" complains 'RESET_DONE was not seen' <<<'store 0x40022000, 0x40000; store 0x40023000, 0x40000; store 0x40080004, 0'
+check "a_bus_that_is_off" complains 'SPI0 SSPDR (40080008) = 00000001: the unit is off' <<<'see 0x4008000c; store 0x40080004, 0; send 1'
+check "a_bus_set_up_while_it_is_on" complains 'SPI0 SSPCR0 (40080000) = 0000000f: the unit is on' <<<'store 0x40080000, 15'
+check "a_bus_turned_off_in_mid_word" complains 'SPI0 SSPCR1 (40080004) = 00000000: words may be on their way' <<<'send 1; store 0x40080004, 0'
+check "a_word_for_a_FIFO_that_may_be_full" complains 'SPI0 SSPDR (40080008) = 00000002: the FIFO may be full' <<<'send 1; store 0x40080008, 2'
+check "a_DMA_to_a_bus_that_is_off" complains 'DMA CH0_CTRL_TRIG (5000000c) = 00300011: the SPI unit is off' <<<"store 0x40080004, 0; $dma_of_100_bytes"
+check "a_register_that_is_half_written" complains 'SPI0 SSPCR0 (40080000) = 40080000: it takes whole words only' <<<'ldr r0, =0x40080000; strh r0, [r0]'
+check "a_register_that_no_table_has" complains 'SPI0 ? (40080014) = 00000001: no such register' <<<'store 0x40080014, 1'
+check "a_watchdog_without_ticks" complains 'WATCHDOG CTRL (400da000) = 40000000: the watchdog has no tick' <<<'store 0x400da000, 0x40000000'
 tap_end

@@ -82,19 +82,25 @@ on_qemu() { # isa
 }
 
 rv32='-march=rv32imac_zicsr_zba_zbb_zbs_zbkb -mabi=ilp32'
-registers='0x40020000 0 0x40010048 0x800 0x4003804c 0x52 0x40038050 0x52 0x40028094 1 0x4002809c 1 0x40080010 2 0x40080000 7 0x40080004 2'
+# clk_peri, then out of reset: pins, pads, SPI0; RESET_DONE is read between these and the pads, functions and bus.
+resets='0x40010048 0x800 0x40023000 0x40240'
+registers='0x4003804c 0x52 0x40038050 0x52 0x40028094 1 0x4002809c 1 0x40080010 2 0x40080000 7 0x40080004 2'
 
 on_the_chip() { # isa
     if [ "$1" = arm ]; then
         { echo '.syntax unified; .thumb; .word 0x20010000, _start + 1; .fill 66, 4, 0; .word 0xffffded3, 0x10210142, 0x1ff, 0, 0xab123579; .thumb_func; _start:'
+          printf 'ldr r0, =%s; ldr r1, =%s; str r1, [r0]\n' $resets
+          echo 'ldr r0, =0x40020008; ldr r0, [r0]'
           printf 'ldr r0, =%s; ldr r1, =%s; str r1, [r0]\n' $registers
-          echo 'bl begin; ldr r1, =0x40080008; str r8, [r1]; lsr r8, #8; str r8, [r1]; lsr r8, #8; str r8, [r1]; lsr r8, #8; str r8, [r1]; 8: ldr r0, [r1, #4]; lsls r0, #27; bmi 8b'
+          echo 'bl begin; ldr r1, =0x40080008; .rept 4; ldr r0, [r1, #4]; uxtb r0, r8; str r0, [r1]; lsr r8, #8; .endr; 8: ldr r0, [r1, #4]; lsls r0, #27; bmi 8b'
           echo 'ldr r0, =0x18; ldr r1, =0x20026; bkpt 0xab; .ltorg'; cat "$dir/arm.S"; } >"$dir/chip.S"
         arm-none-eabi-gcc -mcpu=cortex-m33 -mthumb -nostdlib -Wl,-Ttext=0x10000000,-e0 -o "$dir/chip.elf" "$dir/chip.S"
     else
         { echo '.word 0xffffded3, 0x11010142, 0x344, _start, 0x20010000, 0x4ff, 0, 0xab123579; _start:'
+          printf 'li a0, %s; li a1, %s; sw a1, 0(a0)\n' $resets
+          echo 'li a0, 0x40020008; lw a0, 0(a0)'
           printf 'li a0, %s; li a1, %s; sw a1, 0(a0)\n' $registers
-          echo 'jal begin; li a1, 0x40080008; sw s2, 0(a1); srli s2, s2, 8; sw s2, 0(a1); srli s2, s2, 8; sw s2, 0(a1); srli s2, s2, 8; sw s2, 0(a1); 8: lw a0, 4(a1); andi a0, a0, 16; bnez a0, 8b'
+          echo 'jal begin; li a1, 0x40080008; .rept 4; lw a0, 4(a1); andi a0, s2, 255; sw a0, 0(a1); srli s2, s2, 8; .endr; 8: lw a0, 4(a1); andi a0, a0, 16; bnez a0, 8b'
           echo 'li a0, 0x18; li a1, 0x20026; .option norvc; .balign 16; slli x0, x0, 0x1f; ebreak; srai x0, x0, 7; .option rvc'; cat "$dir/riscv.S"; } >"$dir/chip.S"
         riscv64-unknown-elf-gcc $rv32 -nostdlib -Wl,-Ttext=0x10000000,-e0 -o "$dir/chip.elf" "$dir/chip.S"
     fi || return 1

@@ -38,14 +38,6 @@ static double pll_hz(struct chip *chip, uint32_t number)
     return CRYSTAL_HZ / divider * pll->feedback / (post1 * post2);
 }
 
-static void check_pll(struct chip *chip, const struct pll *pll)
-{
-    const double vco = CRYSTAL_HZ * pll->feedback / ((pll->cs & 63) == 0 ? 1 : pll->cs & 63);
-    if ((pll->power & 0x21) == 0 && (vco < 750e6 || vco > 1600e6 || pll->feedback < 16 || pll->feedback > 320)) {
-        chip_warn(chip, "a PLL oscillates at %.0f Hz", vco);
-    }
-}
-
 static double sys_source(struct chip *chip)
 {
     static const double none = 0;
@@ -112,10 +104,10 @@ static void update(struct chip *chip)
 void clocks_reset(struct chip *chip)
 {
     chip->resets = ALL_BLOCKS;
-    chip->xosc_control = chip->ref_control = chip->sys_control = chip->peri_control = 0;
+    chip->xosc_control = chip->ref_control = chip->peri_control = 0;
+    chip->sys_control = 0x41;
     chip->sys_divider = chip->peri_divider = 1 << 16;
-    memset(chip->pll, 0, sizeof chip->pll);
-    chip->pll[0].power = chip->pll[1].power = 0x2d;
+    chip->pll[0] = chip->pll[1] = (struct pll){.cs = 1, .power = 0x2d, .post = 0x77000};
     memset(chip->tick, 0, sizeof chip->tick);
     chip->psm_off = 0;
     update(chip);
@@ -141,7 +133,6 @@ static void pll_write(struct chip *chip, struct pll *pll, uint32_t offset, uint3
     uint32_t *const words[4] = {&pll->cs, &pll->power, &pll->feedback, &pll->post};
     *words[offset >> 2 & 3] = offset == 0 ? value & 63 : value;
     pll->locked_from = chip->now + 10 * FS_PER_US;
-    check_pll(chip, pll);
     update(chip);
 }
 
@@ -172,9 +163,6 @@ static void watchdog_write(struct chip *chip, uint32_t offset, uint32_t value)
         chip->watchdog_load = value & 0xffffff;
     } else if (offset == 0) {
         chip->watchdog_control = value & WATCHDOG_ON;
-    }
-    if (offset == 0 && (value & WATCHDOG_ON) != 0 && chip->tick[1].period == 0) {
-        chip_warn(chip, "the watchdog is on, but has no tick");
     }
     chip->watchdog_time =
         (chip->watchdog_control & WATCHDOG_ON) != 0 ? chip->now + chip->watchdog_load * FS_PER_US : NEVER;
@@ -216,15 +204,8 @@ static uint32_t clock_register(struct chip *chip, uint32_t offset)
     }
 }
 
-/* The source of clk_sys that glitches must not change while it is taken. */
 static void set_clock(struct chip *chip, uint32_t offset, uint32_t value)
 {
-    if (offset == 0x3c && (chip->sys_control & value & 1) != 0 && ((chip->sys_control ^ value) & 0xe0) != 0) {
-        chip_warn(chip, "the auxiliary source of clk_sys changes while it is in use");
-    }
-    if (offset == 0x48 && (chip->peri_control & value & 1 << 11) != 0 && ((chip->peri_control ^ value) & 0xe0) != 0) {
-        chip_warn(chip, "the source of clk_peri changes while it is on");
-    }
     switch (offset) {
     case 0x30:
         chip->ref_control = value;

@@ -1,11 +1,8 @@
-/* DMA (12.6): channels that read memory and write to an SPI unit at its pace. */
+/* DMA (12.6): channels that read memory and write to an SPI unit at its pace. The chip's table of registers refuses
+ * what is not modelled. */
 #include "chip.h"
 
-enum { EN = 1, INCR_READ = 1 << 4, INCR_WRITE = 1 << 6, QUIET = 1 << 23, BSWAP = 1 << 24, BUSY = 1 << 26 };
-/* Bits of the control word that the model knows: the above, size, chain, request. */
-#define KNOWN (EN | 3 << 2 | INCR_READ | 15 << 13 | 63 << 17 | QUIET | BSWAP | 2)
-enum { REQUEST_SPI0_TX = 24, REQUEST_SPI1_TX = 26 };
-#define SPI_DR(unit) (0x40080008 + 0x8000 * (uint32_t)(unit))
+enum { EN = 1, INCR_READ = 1 << 4, BSWAP = 1 << 24, BUSY = 1 << 26, REQUEST_SPI1_TX = 26 };
 
 static uint32_t swapped(uint32_t word, uint32_t bytes)
 {
@@ -21,9 +18,7 @@ static void feed(struct chip *chip, uint32_t number)
         channel->read += channel->control & INCR_READ ? bytes : 0;
         channel->busy = --channel->count > 0;
         spi_push(chip, unit, channel->control & BSWAP ? swapped(word, bytes) : word);
-        if (!channel->busy && (channel->control & QUIET) == 0) {
-            chip->dma_interrupts |= 1U << number;
-        }
+        chip->dma_interrupts |= channel->busy ? 0 : 1U << number;
     }
 }
 
@@ -39,17 +34,8 @@ void dma_feed(struct chip *chip)
 static void trigger(struct chip *chip, uint32_t number)
 {
     struct channel *channel = &chip->channel[number];
-    const uint32_t request = channel->control >> 17 & 63, unit = request == REQUEST_SPI1_TX;
     if ((channel->control & EN) == 0 || channel->reload == 0) {
         return;
-    }
-    if ((channel->control & ~KNOWN) != 0 || (channel->control >> 13 & 15) != number || channel->reload >> 28 != 0 ||
-        (request != REQUEST_SPI0_TX && request != REQUEST_SPI1_TX) || channel->write != SPI_DR(unit)) {
-        chip_warn(chip, "DMA channel %u is used in a way that is not modelled: control %08x", number, channel->control);
-        return;
-    }
-    if ((chip->resets >> (18 + unit) & 1) != 0 || (chip->spi[unit].cr1 & 2) == 0 || (chip->spi[unit].dmacr & 2) == 0) {
-        chip_warn(chip, "the DMA writes to SPI%u, which is off or does not ask it to", unit);
     }
     channel->count = channel->reload;
     channel->busy = true;

@@ -84,13 +84,9 @@ uint32_t spi_read(struct chip *chip, uint32_t unit, uint32_t offset)
     }
 }
 
-/* Clock, mode and width may only change between words. */
 void spi_write(struct chip *chip, uint32_t unit, uint32_t offset, uint32_t value)
 {
     struct spi *spi = &chip->spi[unit];
-    if (spi->busy && (offset == CR0 || offset == CPSR || (offset == CR1 && (value & 2) == 0))) {
-        chip_warn(chip, "SPI%u is set up while a word is on its way", unit);
-    }
     switch (offset) {
     case CR0:
         spi->cr0 = value;
