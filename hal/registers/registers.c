@@ -292,7 +292,6 @@ const char *registers_read(struct registers *r, uint32_t core, uint64_t time_ns,
 void registers_restart(struct registers *r)
 {
     memset(r->cells, 0, (size_t)r->cores * r->cell_count * sizeof r->cells[0]);
-    r->accesses = 0;
     struct cell *cell = r->cells;
     for (uint32_t core = 0; core < r->cores; core++) {
         for (uint32_t b = 0; b < r->chip->block_count; b++) {
