@@ -118,7 +118,6 @@ $(B)/firmware/core/effects/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,ren
 $(KERNELS:%=$(B)/%)/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,kernels render)
 $(B)/firmware/app/%.o: INC = $(INC_APP)
 $(B)/hal/%.o: INC = -Ihal
-$(REGISTERS:%.c=$(B)/%.o): INC = -Ihal -I$(<D)
 $(B)/hal/linux/$(GPIOD)/%.o: INC = -Ihal $(GPIOD_CFLAGS)
 $(B)/hal/kms/$(DRM)/%.o: INC = -Ihal $(DRM_CFLAGS)
 $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)

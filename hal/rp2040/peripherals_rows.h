@@ -1,11 +1,10 @@
 /*
  * peripherals_rows: the registers that the RP2040 and the RP2350 have in common, as rows of their tables
- * (registers_table.c), as peripherals.h has their addresses. A row's source is a section of the chip's own datasheet;
- * DDI 0183 is Arm's manual of the PL011, DDI 0194 that of the PL022.
+ * (registers_table.c). A row's source is a section of the chip's own datasheet; DDI 0183 is Arm's manual of the PL011,
+ * DDI 0194 that of the PL022.
  *
  * What differs the chip's table says before it includes this: S(rp2040, rp2350) takes the chip's one of two texts; the
- * fields resets_fields, clk_sys_fields, clk_peri_fields, pll_prim_fields, load_fields, dma_control_fields; and the
- * macros .._AT_START, PSM_PROC1_BIT, DMA_SPI1_BIT, CLK_PERI_NEEDS, TICKS_NEEDS, TIMER_NEEDS, PAD_FIELDS, RESETS_NEEDS.
+ * others are its bits, offsets, fields and needs.
  */
 #ifndef RP2040_PERIPHERALS_ROWS_H
 #define RP2040_PERIPHERALS_ROWS_H
@@ -159,12 +158,13 @@ static const struct register_row pll_sys_rows[] = PLL_ROWS(pll_sys_off_when, pll
 /* ---- power-on state machine, watchdog, timer --------------------------------------------------------------------- */
 
 static const struct register_field psm_off_fields[] = {
-    {"PROC1", PSM_PROC1_BIT, 1, 0, 1, "core 1 is held in reset; after it, it waits in the ROM"},
+    {"PROC1", PSM_PROC1_AT, 1, 0, 1, "core 1 is held in reset; after it, it waits in the ROM"},
 };
 static const struct register_field psm_wdsel_fields[] = {
-    {"all bits", 0, 32, PSM_ALL & ~PSM_OSCILLATORS, PSM_ALL & ~PSM_OSCILLATORS,
+    {"all bits", 0, 32, PSM_ALL_BUT_OSCILLATORS, PSM_ALL_BUT_OSCILLATORS,
      "the watchdog resets all but the oscillators; no emulator follows a reset of less"},
 };
+#define PSM_PROC1 (1U << PSM_PROC1_AT)
 static const struct register_when psm_off_when[] = {
     {.changes = PSM_PROC1,
      .clears = PSM_PROC1,
@@ -208,9 +208,8 @@ static const struct register_when timer_when[] = {
 static const struct register_row timer_rows[] = {
     {"ALARM0", 0x10, .start = 0, REGISTER_LIST(any_fields), .source = S("4.6.5", "12.8")},
     {"TIMERAWL", 0x28, .kind = REGISTER_STATUS, .source = S("4.6.5", "12.8")},
-    {"INTR", TIMER_INTR - TIMER_BASE, .kind = REGISTER_COMMAND, .start = 0, REGISTER_LIST(bit_fields),
-     .source = S("4.6.5", "12.8")},
-    {"INTE", TIMER_INTE - TIMER_BASE, .start = 0, REGISTER_LIST(bit_fields), .source = S("4.6.5", "12.8")},
+    {"INTR", TIMER_INTR, .kind = REGISTER_COMMAND, .start = 0, REGISTER_LIST(bit_fields), .source = S("4.6.5", "12.8")},
+    {"INTE", TIMER_INTE, .start = 0, REGISTER_LIST(bit_fields), .source = S("4.6.5", "12.8")},
 };
 
 /* ---- pins -------------------------------------------------------------------------------------------------------- */
@@ -245,7 +244,7 @@ static const struct register_row io_bank0_rows[] = {
     {"GPIO3_7_.._CTRL", 0x1c, 7, 32, .start = 31, REGISTER_LIST(spi_pin_fields), .source = S("2.19.2", "9.4")},
     {"GPIO4_8_.._CTRL", 0x24, 7, 32, .start = 31, REGISTER_LIST(sio_pin_fields), .source = S("2.19.2", "9.4")},
     {"GPIO5_9_.._CTRL", 0x2c, 7, 32, .start = 31, REGISTER_LIST(sio_pin_fields), .source = S("2.19.2", "9.4")},
-    {"INTR", IO_BANK0_INTR0 - IO_BANK0_BASE, 4, 4, .kind = REGISTER_COMMAND, .start = 0, REGISTER_LIST(edge_fields),
+    {"INTR", IO_BANK0_INTR, 4, 4, .kind = REGISTER_COMMAND, .start = 0, REGISTER_LIST(edge_fields),
      .source = S("2.19.6", "9.11")},
 };
 
@@ -424,19 +423,17 @@ static const struct register_row dma_rows[] = {
 /* ---- SIO: the FIFOs between the cores ---------------------------------------------------------------------------- */
 
 static const struct register_when fifo_wr_when[] = {
-    {SEEN(SIO_FIFO_ST, FIFO_WRITABLE, FIFO_WRITABLE), SINCE(SIO_FIFO_WR, 0),
-     .why = "the FIFO may be full: RDY was not seen"},
+    {SEEN(SIO_FIFO_ST, FIFO_RDY, FIFO_RDY), SINCE(SIO_FIFO_WR, 0), .why = "the FIFO may be full: RDY was not seen"},
 };
 static const struct register_when fifo_rd_when[] = {
-    {SEEN(SIO_FIFO_ST, FIFO_READABLE, FIFO_READABLE), .why = "the FIFO may be empty: VLD was not seen"},
+    {SEEN(SIO_FIFO_ST, FIFO_VLD, FIFO_VLD), .why = "the FIFO may be empty: VLD was not seen"},
 };
 
 #define SIO_ROWS                                                                                                       \
     {"CPUID", 0x00, .kind = REGISTER_STATUS, .source = S("2.3.1", "3.1")},                                             \
         {"GPIO_IN", 0x04, .kind = REGISTER_STATUS, .source = S("2.3.1", "3.1")},                                       \
-        {"GPIO_OUT_SET", SIO_GPIO_OUT_SET & 0xff, PINS_COMMAND},                                                       \
-        {"GPIO_OUT_CLR", SIO_GPIO_OUT_CLR & 0xff, PINS_COMMAND},                                                       \
-        {"GPIO_OE_SET", SIO_GPIO_OE_SET & 0xff, PINS_COMMAND}, {"GPIO_OE_CLR", SIO_GPIO_OE_CLR & 0xff, PINS_COMMAND},  \
+        {"GPIO_OUT_SET", SIO_GPIO_OUT_SET, PINS_COMMAND}, {"GPIO_OUT_CLR", SIO_GPIO_OUT_CLR, PINS_COMMAND},            \
+        {"GPIO_OE_SET", SIO_GPIO_OE_SET, PINS_COMMAND}, {"GPIO_OE_CLR", SIO_GPIO_OE_CLR, PINS_COMMAND},                \
         {"FIFO_ST", 0x50, .kind = REGISTER_STATUS, .source = S("2.3.1", "3.1")}, {"FIFO_WR",                           \
                                                                                   0x54,                                \
                                                                                   .kind = REGISTER_COMMAND,            \

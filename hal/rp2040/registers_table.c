@@ -2,23 +2,53 @@
  * What the RP2040 takes as accesses to its registers; see hal/registers/registers.h. Sections are those of the RP2040
  * datasheet (Raspberry Pi Ltd), and B3 those of the ARMv6-M Architecture Reference Manual (DDI 0419).
  */
-#include <cpu.h>
-
 #define S(rp2040, rp2350) rp2040
+
+#define CLOCKS_BASE     0x40008000
+#define RESETS_BASE     0x4000c000
+#define PSM_BASE        0x40010000
+#define IO_BANK0_BASE   0x40014000
+#define PADS_BANK0_BASE 0x4001c000
+#define PADS_QSPI_BASE  0x40020000
+#define XOSC_BASE       0x40024000
+#define PLL_SYS_BASE    0x40028000
+#define UART0_BASE      0x40034000
+#define SPI_BASE(unit)  ((unit) == 0 ? 0x4003c000U : 0x40040000U)
+#define TIMER_BASE      0x40054000
+#define WATCHDOG_BASE   0x40058000
+#define SSI_BASE        0x18000000
 
 #include "rp2040/rows.h"
 
-#define SSI_BASE       0x18000000
-#define PADS_QSPI_BASE 0x40020000
-#define SSI(offset)    (SSI_BASE + (offset))
+#define SSI(offset)   (SSI_BASE + (offset))
+#define WATCHDOG_TICK (WATCHDOG_BASE + 0x2c)
+#define SIO_DIV_CSR   (SIO_BASE + 0x78)
+#define MPU_RNR       (PPB_BASE + 0xd98)
+#define MPU_RBAR      (PPB_BASE + 0xd9c)
+#define MPU_RASR      (PPB_BASE + 0xda0)
 
 /* ---- what differs between the chips ------------------------------------------------------------------------------ */
+
+/* Offsets. */
+enum { SIO_GPIO_OUT_SET = 0x14, SIO_GPIO_OUT_CLR = 0x18, SIO_GPIO_OE_SET = 0x24, SIO_GPIO_OE_CLR = 0x28 };
+enum { IO_BANK0_INTR = 0xf0, TIMER_INTR = 0x34, TIMER_INTE = 0x38 };
+
+#define RESET_DMA        (1U << 2)
+#define RESET_IO_BANK0   (1U << 5)
+#define RESET_PADS_BANK0 (1U << 8)
+#define RESET_PLL_SYS    (1U << 12)
+#define RESET_SPI0       (1U << 16)
+#define RESET_SPI1       (1U << 17)
+#define RESET_TIMER      (1U << 21)
+#define RESET_UART0      (1U << 22)
+
+#define PSM_ALL_BUT_OSCILLATORS 0x1fffc /* ROSC is bit 0, XOSC bit 1 */
 
 /* The ROM has taken the flash's pins out of reset (2.7, 2.8.1). */
 #define RESETS_AT_START  (0x1ffffff & ~(1 << 6 | 1 << 9))
 #define CLK_SYS_AT_START 0
 #define PAD_AT_START     0x56
-#define PSM_PROC1_BIT    16
+#define PSM_PROC1_AT     16
 #define DMA_SPI1_BIT     (1 << 16) /* TREQ_SEL is 16 for SPI0, 18 for SPI1 */
 #define PAD_FIELDS
 #define RESETS_NEEDS
@@ -129,8 +159,8 @@ static const struct register_row pads_qspi_rows[] = {
 /* ---- core -------------------------------------------------------------------------------------------------------- */
 
 static const struct register_when quotient_when[] = {
-    {SEEN(SIO_DIV_CSR, 1, 1), SINCE(SIO_DIV_UDIVISOR, 0), .why = "READY was not seen since UDIVISOR was written"},
-    {SEEN(SIO_DIV_CSR, 1, 1), SINCE(SIO_DIV_SDIVISOR, 0), .why = "READY was not seen since SDIVISOR was written"},
+    {SEEN(SIO_DIV_CSR, 1, 1), SINCE(SIO_BASE + 0x64, 0), .why = "READY was not seen since UDIVISOR was written"},
+    {SEEN(SIO_DIV_CSR, 1, 1), SINCE(SIO_BASE + 0x6c, 0), .why = "READY was not seen since SDIVISOR was written"},
 };
 static const struct register_row sio_rows[] = {
     SIO_ROWS,
@@ -144,8 +174,8 @@ static const struct register_row sio_rows[] = {
 };
 
 static const struct register_field iser_fields[] = {
-    {"TIMER_IRQ_0", IRQ_TIMER_0, 1, 0, 1, "enabled"},
-    {"DMA_IRQ_0", IRQ_DMA_0, 1, 0, 1, "enabled"},
+    {"TIMER_IRQ_0", 0, 1, 0, 1, "enabled"},
+    {"DMA_IRQ_0", 11, 1, 0, 1, "enabled"},
 };
 static const struct register_field vtor_fields[] = {{"TBLOFF", 8, 24, 0, 0xffffff, "where the vectors are"}};
 static const struct register_field mpu_ctrl_fields[] = {
@@ -176,8 +206,8 @@ static const struct register_row ppb_rows[] = {
 };
 
 static const struct register_block blocks[] = {
-    {"SIO", 0xd0000000, 0x180, .per_core = true, REGISTER_LIST(sio_rows)},
-    {"DMA", 0x50000000, 0x4000, .aliases = true, false, REGISTER_LIST(dma_rows), REGISTER_LIST(dma_when)},
+    {"SIO", SIO_BASE, 0x180, .per_core = true, REGISTER_LIST(sio_rows)},
+    {"DMA", DMA_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(dma_rows), REGISTER_LIST(dma_when)},
     {"SPI0", SPI_BASE(0), 0x4000, .aliases = true, false, REGISTER_LIST(spi0_rows), REGISTER_LIST(spi0_when)},
     {"SPI1", SPI_BASE(1), 0x4000, .aliases = true, false, REGISTER_LIST(spi1_rows), REGISTER_LIST(spi1_when)},
     {"TIMER", TIMER_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(timer_rows), REGISTER_LIST(timer_when)},
@@ -193,7 +223,7 @@ static const struct register_block blocks[] = {
     {"PADS_BANK0", PADS_BANK0_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(pads_rows), REGISTER_LIST(pads_when)},
     {"PADS_QSPI", PADS_QSPI_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(pads_qspi_rows)},
     {"SSI", SSI_BASE, 0x100, .per_core = false, REGISTER_LIST(ssi_rows)},
-    {"PPB", 0xe000e000, 0x1000, .per_core = true, REGISTER_LIST(ppb_rows)},
+    {"PPB", PPB_BASE, 0x1000, .per_core = true, REGISTER_LIST(ppb_rows)},
 };
 
 const struct register_chip registers_rp2040 = {"RP2040", "RP2040 datasheet", REGISTER_LIST(blocks)};

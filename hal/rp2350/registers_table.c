@@ -2,23 +2,56 @@
  * What the RP2350 takes as accesses to its registers; see hal/registers/registers.h. Sections are those of the RP2350
  * datasheet (Raspberry Pi Ltd), and B11 those of the ARMv8-M Architecture Reference Manual (DDI 0553).
  */
-#include "rp2040/arm.h"
-
 #define S(rp2040, rp2350) rp2350
+
+#define CLOCKS_BASE     0x40010000
+#define PSM_BASE        0x40018000
+#define RESETS_BASE     0x40020000
+#define IO_BANK0_BASE   0x40028000
+#define PADS_BANK0_BASE 0x40038000
+#define PADS_QSPI_BASE  0x40040000
+#define XOSC_BASE       0x40048000
+#define PLL_SYS_BASE    0x40050000
+#define PLL_USB_BASE    0x40058000
+#define UART0_BASE      0x40070000
+#define SPI_BASE(unit)  ((unit) == 0 ? 0x40080000U : 0x40088000U)
+#define TIMER_BASE      0x400b0000
+#define QMI_BASE        0x400d0000
+#define WATCHDOG_BASE   0x400d8000
+#define TICKS_BASE      0x40108000
 
 #include "rp2040/rows.h"
 
-#define TICKS_BASE   0x40108000
-#define SIO_MTIMECMP 0xd00001b8
+#define TICKS_TIMER0_CTRL     (TICKS_BASE + 0x18)
+#define TICKS_TIMER0_CYCLES   (TICKS_BASE + 0x1c)
+#define TICKS_WATCHDOG_CTRL   (TICKS_BASE + 0x30)
+#define TICKS_WATCHDOG_CYCLES (TICKS_BASE + 0x34)
+#define SIO_MTIMECMP          (SIO_BASE + 0x1b8)
 
 /* ---- what differs between the chips ------------------------------------------------------------------------------ */
+
+/* Offsets. */
+enum { SIO_GPIO_OUT_SET = 0x18, SIO_GPIO_OUT_CLR = 0x20, SIO_GPIO_OE_SET = 0x38, SIO_GPIO_OE_CLR = 0x40 };
+enum { IO_BANK0_INTR = 0x230, TIMER_INTR = 0x3c, TIMER_INTE = 0x40 };
+
+#define RESET_DMA        (1U << 2)
+#define RESET_IO_BANK0   (1U << 6)
+#define RESET_PADS_BANK0 (1U << 9)
+#define RESET_PLL_SYS    (1U << 14)
+#define RESET_PLL_USB    (1U << 15)
+#define RESET_SPI0       (1U << 18)
+#define RESET_SPI1       (1U << 19)
+#define RESET_TIMER      (1U << 23)
+#define RESET_UART0      (1U << 26)
+
+#define PSM_ALL_BUT_OSCILLATORS 0x1fffff3 /* ROSC is bit 2, XOSC bit 3 */
 
 /* The ROM has taken the flash's pins out of reset (5.2). clk_sys starts from the ring oscillator by the auxiliary mux.
  */
 #define RESETS_AT_START  (0x1fffffff & ~(1 << 7 | 1 << 10))
 #define CLK_SYS_AT_START 0x41
 #define PAD_AT_START     0x116
-#define PSM_PROC1_BIT    24
+#define PSM_PROC1_AT    24
 #define DMA_SPI1_BIT     (1 << 18) /* TREQ_SEL is 24 for SPI0, 26 for SPI1 */
 #define PAD_FIELDS       {"ISO", 8, 1, 0, 0, "the pad is not isolated"},
 
@@ -100,10 +133,8 @@ static const struct register_row ticks_rows[] = {
 
 /* ---- flash: the QMI, and the pads of its window 0 ---------------------------------------------------------------- */
 
-#define QMI_BASE       0x400d0000
-#define PADS_QSPI_BASE 0x40040000
-#define QMI_EN         1
-#define QMI_BUSY       2
+#define QMI_EN   1
+#define QMI_BUSY 2
 
 static const struct register_field direct_csr_fields[] = {
     {"EN", 0, 1, 0, 1, "direct mode: no reads from memory"},
@@ -177,8 +208,8 @@ static const struct register_row sio_rows[] = {
 };
 
 static const struct register_field iser_fields[] = {
-    {"TIMER0_IRQ_0", IRQ_TIMER_0, 1, 0, 1, "enabled"},
-    {"DMA_IRQ_0", IRQ_DMA_0, 1, 0, 1, "enabled"},
+    {"TIMER0_IRQ_0", 0, 1, 0, 1, "enabled"},
+    {"DMA_IRQ_0", 10, 1, 0, 1, "enabled"},
 };
 /* The ROM has written VTOR; the port reads it. */
 static const struct register_row ppb_rows[] = {
@@ -188,8 +219,8 @@ static const struct register_row ppb_rows[] = {
 };
 
 static const struct register_block blocks[] = {
-    {"SIO", 0xd0000000, 0x200, .per_core = true, REGISTER_LIST(sio_rows)},
-    {"DMA", 0x50000000, 0x4000, .aliases = true, false, REGISTER_LIST(dma_rows), REGISTER_LIST(dma_when)},
+    {"SIO", SIO_BASE, 0x200, .per_core = true, REGISTER_LIST(sio_rows)},
+    {"DMA", DMA_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(dma_rows), REGISTER_LIST(dma_when)},
     {"SPI0", SPI_BASE(0), 0x4000, .aliases = true, false, REGISTER_LIST(spi0_rows), REGISTER_LIST(spi0_when)},
     {"SPI1", SPI_BASE(1), 0x4000, .aliases = true, false, REGISTER_LIST(spi1_rows), REGISTER_LIST(spi1_when)},
     {"TIMER0", TIMER_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(timer_rows), REGISTER_LIST(timer_when)},
@@ -207,7 +238,7 @@ static const struct register_block blocks[] = {
     {"PADS_BANK0", PADS_BANK0_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(pads_rows), REGISTER_LIST(pads_when)},
     {"PADS_QSPI", PADS_QSPI_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(pads_qspi_rows)},
     {"QMI", QMI_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(qmi_rows)},
-    {"PPB", 0xe000e000, 0x1000, .per_core = true, REGISTER_LIST(ppb_rows)},
+    {"PPB", PPB_BASE, 0x1000, .per_core = true, REGISTER_LIST(ppb_rows)},
 };
 
 const struct register_chip registers_rp2350 = {"RP2350", "RP2350 datasheet", REGISTER_LIST(blocks)};
