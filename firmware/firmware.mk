@@ -35,7 +35,8 @@
 #   PORT_TILES_BYTES  optional: memory for the signatures of tiles (hal/panel_tiles.h); without it CHANGES is 0
 #   PORT_SCENE        optional: offset in flash of a binary scene, behind every image; it may fill the rest of the flash
 #   PORT_INFO         optional: a .c file that tells about the image; it gets macros BOARD_... (firmware/tools/board_facts.c)
-#                     and IMAGE_NAME, IMAGE_VERSION, IMAGE_ATTRIBUTES, IMAGE_ISA
+#                     and IMAGE_NAME, IMAGE_VERSION, IMAGE_ATTRIBUTES, IMAGE_ISA; IMAGE_SCENE, an address, if the image
+#                     looks for a scene there
 #   PORT_FINISH       optional: a shell command between linking and objcopy, e.g. for a checksum; "$1" is the ELF file
 #   UF2_FAMILY        the number of the chip's family; empty: no UF2 file. UF2_BASE: the address of the BIN's first byte
 #   EMULATE           the command of `make emulate`; its arguments are the ELF, an empty folder for frames, and FRAMES
@@ -164,12 +165,13 @@ BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene
 $(B)/board_here.flags: $(B)/board-facts
 	@ram=$$($< ram_bytes); echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" | cmp -s - $@ || echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" >$@
 
-# What a port may tell about an image (PORT_INFO).
-$(B)/image_info.h: $(B)/board-facts
+# What a port may tell about an image (PORT_INFO). An image looks for a scene if its main() asks board_here.c where one is.
+$(B)/image_info.h: $(B)/board-facts $(B)/main-$(APP_NAME).o
 	@{ $< pins && echo '#define IMAGE_NAME "$(or $(SCENE_NAME),$(APP_NAME))"' && echo '#define IMAGE_VERSION "$(VERSION)"' && \
-	   echo '#define IMAGE_ATTRIBUTES "CORES=$(CORES) CHANGES=$(CHANGES)"' && echo '#define IMAGE_ISA "$(ISA)"'; } >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+	   echo '#define IMAGE_ATTRIBUTES "CORES=$(CORES) CHANGES=$(CHANGES)"' && echo '#define IMAGE_ISA "$(ISA)"' && \
+	   if [ '$(if $(SCENE_C),,$(PORT_SCENE))' ] && $(CROSS)nm $(B)/main-$(APP_NAME).o | grep -q ' U image_scene$$'; then printf '#define IMAGE_SCENE "0x%08x"\n' "$$(($(UF2_BASE) + $(or $(PORT_SCENE),0)))"; fi; } >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 $(PORT_INFO:%.c=$(B)/%.o): $(B)/image_info.h
-$(PORT_INFO:%.c=$(B)/%.o): override CPPFLAGS += -include $(B)/image_info.h
+$(PORT_INFO:%.c=$(B)/%.o): private override CPPFLAGS += -include $(B)/image_info.h
 
 $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@

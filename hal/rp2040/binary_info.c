@@ -16,6 +16,7 @@ enum { SEVERAL_PINS = 2 };
 #define BINARY_END      0x68f465deU
 #define PROGRAM_NAME    0x02031c86U
 #define PROGRAM_VERSION 0x11a9bc3aU
+#define PROGRAM_FEATURE 0xa1f4b453U
 #define BUILD_ATTRIBUTE 0x4275f0d3U
 #define BOARD           0xb63cffbbU
 #define BOOT2_NAME      0x7f8882e1U
@@ -44,6 +45,9 @@ static const struct entry *const table[] = {
     ENTRY(ID_AND_STRING, BOARD, BOARD_NAME),
     ENTRY(ID_AND_STRING, CHIP_INFO, CHIP_INFO_TEXT),
     ENTRY(ID_AND_STRING, BUILD_ATTRIBUTE, IMAGE_ATTRIBUTES),
+#ifdef IMAGE_SCENE
+    ENTRY(ID_AND_STRING, PROGRAM_FEATURE, "takes a scene at " IMAGE_SCENE), /* pinhole-flash --at-scene looks for it */
+#endif
     ENTRY(ID_AND_INT, BINARY_END, ld_flash_end),
     TWO_PINS(FUNCTION_UART, 0, 1),
     TWO_PINS(FUNCTION_SPI, BOARD_CLOCK_PIN, BOARD_DATA_PIN),

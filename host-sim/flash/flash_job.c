@@ -2,6 +2,7 @@
 #include "flash_job.h"
 
 #include "flash_program.h"
+#include "flash_scene.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -97,27 +98,48 @@ static int check_size(struct flash_job *job)
     return 0;
 }
 
-/* Checks that data behind a program, a scene, do not overwrite the program. */
+/* Checks that the program on the board will show the scene that is written behind it. */
+static int check_shows(struct flash_job *job, const struct flash_program *program)
+{
+    char what[FLASH_PROGRAM_NAME + 64] = "the flash is erased";
+    if (program->takes_scene) {
+        return 0;
+    }
+    if (program->name[0] != '\0') {
+        snprintf(what, sizeof what, "the board has '%s', which takes no scene at 0x%08x", program->name,
+                 FLASH_BASE + FLASH_SCENE);
+    } else if (!program->is_erased) {
+        snprintf(what, sizeof what, "the board has a program without a name");
+    }
+    snprintf(job->error, sizeof job->error,
+             "nothing would show the scene: %s; write an image first (make flash BOARD=x), or add --force; nothing was "
+             "changed",
+             what);
+    return FLASH_DIFFERS;
+}
+
+/* Checks that data behind a program, a scene, do not overwrite the program, and that it will show them. */
 static int check_program(struct flash_job *job)
 {
-    uint32_t end = 0, first = 0;
+    struct flash_program program;
+    uint32_t first = 0;
     if (job->image->used[0]) {
         return 0;
     }
-    const int status = told(job, flash_program_end(job->boot, &end), "reading", 0);
+    const int status = told(job, flash_program_read(job->boot, &program), "reading", 0);
     while (first < job->image->sectors && !job->image->used[first]) {
         first++;
     }
     const uint32_t start = FLASH_BASE + first * FLASH_SECTOR;
-    if (status == 0 && end > start) {
+    if (status == 0 && program.end > start) {
         snprintf(
             job->error, sizeof job->error,
             "the program on the board ends at 0x%08x and would be overwritten from 0x%08x on; make the scene a part "
             "of the image (make firmware SCENE=); nothing was changed",
-            end - 1, start);
+            program.end - 1, start);
         return FLASH_DIFFERS;
     }
-    return status;
+    return status == 0 && job->is_scene ? check_shows(job, &program) : status;
 }
 
 /* ---- writing and reading back ------------------------------------------------------------------- */

@@ -16,6 +16,7 @@ struct flash_job {
     struct flash_boot *boot;
     const struct flash_image *image;
     bool verify, reboot;
+    bool is_scene;                                                   /* is refused where no program would show it */
     const volatile sig_atomic_t *stop;                               /* not 0: stop after this command */
     void (*progress)(const char *what, uint32_t done, uint32_t all); /* sectors; all of them: it is over */
     char error[FLASH_ERROR_SIZE];

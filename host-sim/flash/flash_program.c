@@ -1,12 +1,20 @@
 #include "flash_program.h"
 
 #include "flash_image.h"
+#include "flash_scene.h"
+
+#include <stdio.h>
+#include <string.h>
 
 #define HEAD_BYTES   1024 /* in which the header begins; an RP2040's in bytes 256 to 511 */
 #define BEGIN        0x7188ebf2u
 #define FINISH       0xe71aa390u
-#define BINARY_END   0x68f465deu
 #define ENTRIES_MOST 128u
+#define TEXT_BYTES   64 /* that are read of a text */
+
+#define PROGRAM_NAME    0x02031c86u
+#define PROGRAM_FEATURE 0xa1f4b453u
+#define BINARY_END      0x68f465deu
 
 static uint32_t word_at(const uint8_t *bytes)
 {
@@ -19,13 +27,15 @@ static bool is_in_flash(uint32_t address)
 }
 
 /* Finds the header's table of entries; count is 0 where there is none. */
-static int find_table(struct flash_boot *boot, uint32_t *first, uint32_t *count)
+static int find_table(struct flash_boot *boot, struct flash_program *program, uint32_t *first, uint32_t *count)
 {
     uint8_t head[HEAD_BYTES + 16];
     const int status = flash_boot_read(boot, FLASH_BASE, head, sizeof head);
     *count = 0;
+    program->is_erased = status == 0;
     for (uint32_t at = 0; status == 0 && at < HEAD_BYTES; at += 4) {
         const uint32_t from = word_at(head + at + 4), end = word_at(head + at + 8);
+        program->is_erased = program->is_erased && word_at(head + at) == UINT32_MAX;
         if (word_at(head + at) == BEGIN && word_at(head + at + 16) == FINISH && is_in_flash(from) && end > from &&
             end - from <= 4 * ENTRIES_MOST) {
             *first = from;
@@ -35,18 +45,46 @@ static int find_table(struct flash_boot *boot, uint32_t *first, uint32_t *count)
     return status;
 }
 
-int flash_program_end(struct flash_boot *boot, uint32_t *end)
+/* What is at no address in flash is an empty text. */
+static int read_text(struct flash_boot *boot, uint32_t address, char text[TEXT_BYTES + 1])
+{
+    memset(text, 0, TEXT_BYTES + 1);
+    const int status = is_in_flash(address) ? flash_boot_read(boot, address, (uint8_t *)text, TEXT_BYTES) : 0;
+    for (uint32_t i = 0; text[i] != '\0'; i++) {
+        text[i] = text[i] >= ' ' && text[i] <= '~' ? text[i] : '?';
+    }
+    return status;
+}
+
+static int take_entry(struct flash_boot *boot, struct flash_program *program, uint32_t id, uint32_t value)
+{
+    char text[TEXT_BYTES + 1], feature[TEXT_BYTES];
+    int status = 0;
+    if (id == BINARY_END) {
+        program->end = value;
+    } else if (id == PROGRAM_NAME) {
+        status = read_text(boot, value, text);
+        snprintf(program->name, sizeof program->name, "%.*s", FLASH_PROGRAM_NAME - 1, text);
+    } else if (id == PROGRAM_FEATURE) {
+        status = read_text(boot, value, text);
+        snprintf(feature, sizeof feature, FLASH_SCENE_FEATURE, FLASH_BASE + FLASH_SCENE);
+        program->takes_scene = program->takes_scene || strcmp(text, feature) == 0;
+    }
+    return status;
+}
+
+int flash_program_read(struct flash_boot *boot, struct flash_program *program)
 {
     uint32_t first = 0, count = 0;
-    int status = find_table(boot, &first, &count);
-    *end = 0;
+    *program = (struct flash_program){.end = 0};
+    int status = find_table(boot, program, &first, &count);
     for (uint32_t i = 0; status == 0 && i < count; i++) {
         uint8_t bytes[12]; /* of an entry: type and tag, identity, value */
         status = flash_boot_read(boot, first + 4 * i, bytes, 4);
         const uint32_t entry = word_at(bytes);
         if (status == 0 && is_in_flash(entry)) {
             status = flash_boot_read(boot, entry, bytes, sizeof bytes);
-            *end = status == 0 && word_at(bytes + 4) == BINARY_END ? word_at(bytes + 8) : *end;
+            status = status < 0 ? status : take_entry(boot, program, word_at(bytes + 4), word_at(bytes + 8));
         }
     }
     return status;

@@ -1,11 +1,20 @@
-/* flash_program: where the program in a board's flash ends, as it says in its binary information (`picotool info`
- * shows it, too; hal/rp2040/binary_info.c writes it). Format: pico-sdk, pico_binary_info/structure.h. */
+/* flash_program: which program is in a board's flash, as it says in its binary information (`picotool info` shows it,
+ * too; hal/rp2040/binary_info.c writes it). Format: pico-sdk, pico_binary_info/structure.h. */
 #ifndef FLASH_PROGRAM_H
 #define FLASH_PROGRAM_H
 
 #include "flash_boot.h"
 
-/* Reads the address behind the program; 0: none that says so. A status as in flash_boot.h. */
-int flash_program_end(struct flash_boot *boot, uint32_t *end);
+#define FLASH_PROGRAM_NAME 40
+
+struct flash_program {
+    bool is_erased;                /* there is none: the flash begins with erased bytes */
+    bool takes_scene;              /* at FLASH_SCENE */
+    uint32_t end;                  /* the address behind it; 0: it does not say */
+    char name[FLASH_PROGRAM_NAME]; /* printable, shortened if need be; "": it does not say */
+};
+
+/* Reads it. A status as in flash_boot.h. */
+int flash_program_read(struct flash_boot *boot, struct flash_program *program);
 
 #endif

@@ -14,7 +14,7 @@
 
 struct request {
     const char *path, *serial;
-    bool list, help, no_verify, no_reboot, at_scene;
+    bool list, help, no_verify, no_reboot, at_scene, force;
 };
 
 /* ---- the command line --------------------------------------------------------------------------- */
@@ -24,6 +24,8 @@ static const struct option_row rows[] = {
      "a serial number or BUS:ADDRESS", .at = offsetof(struct request, serial)},
     {"at-scene", NULL, "IMAGE is a binary scene (.phs): it goes to 0x10080000, and the image on the board shows it",
      NULL, .at = offsetof(struct request, at_scene)},
+    {"force", NULL, "writes a scene also where the board has no image that would show it", NULL,
+     .at = offsetof(struct request, force)},
     {"list", NULL, "the boards that are in their boot loader: BUS:ADDRESS, serial number, chip", NULL,
      .at = offsetof(struct request, list)},
     {"no-verify", NULL, "does not read back and compare what was written", NULL,
@@ -50,6 +52,9 @@ static int read_arguments(struct request *r, int argc, char *argv[])
     const int count = option_table_words(&table, r, argc, argv, &r->path, 1);
     if (count < 0) {
         return count;
+    }
+    if (r->force && !r->at_scene) {
+        return complain_usage("--force goes with --at-scene; see --help");
     }
     if (r->help || r->list) {
         return r->list && r->path != NULL ? complain_usage("--list takes no image; see --help") : 0;
@@ -115,6 +120,7 @@ static int write_image(const struct request *r, const struct flash_image *image,
                             .image = image,
                             .verify = !r->no_verify,
                             .reboot = !r->no_reboot,
+                            .is_scene = r->at_scene && !r->force,
                             .stop = &signal_stop,
                             .progress = show_progress};
     status = flash_job_run(&job);

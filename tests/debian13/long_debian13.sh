@@ -60,7 +60,7 @@ picotool_shows_what_the_image_is() {
     version=$(sed -n 's/^#define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
     for kind in uf2 elf; do
         debian13 picotool info -a "$image.$kind" | tr -s ' ' | tee /dev/stderr >"$debian13_root/tmp/info" || return 1
-        for line in 'name: Pinhole demos' "version: $version" 'pico_board: pico-display' 'build attributes: CORES=1 CHANGES=1' '0: UART0 TX' \
+        for line in 'name: Pinhole demos' "version: $version" 'pico_board: pico-display' 'build attributes: CORES=1 CHANGES=1' 'features: takes a scene at 0x10080000' '0: UART0 TX' \
             '16: D/C' '18: SPI0 SCK, clock' '19: SPI0 TX, data' '20: backlight' '12: button up'; do
             grep -qxF " $line" "$debian13_root/tmp/info" || { echo "$kind: no '$line'" && return 1; }
         done

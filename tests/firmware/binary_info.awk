@@ -26,7 +26,7 @@ function entry(at,    type, id, name) {
 }
 END {
     known["33758342"] = "name"; known["296336442"] = "version"; known["1760847326"] = "end"; known["1115025619"] = "attribute"
-    known["3057450939"] = "board"; known["2139652833"] = "boot2"
+    known["3057450939"] = "board"; known["2139652833"] = "boot2"; known["2717168723"] = "feature"
     for (at = rp2350 ? 0 : 256; at < (rp2350 ? 1024 - 16 : 512); at += 4) {
         if (word(at) == 1904798706 && word(at + 16) == 3877282704) {
             if (word(pointer(at + 12)) != 0) { print "copies" }

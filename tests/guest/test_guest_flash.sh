@@ -15,6 +15,10 @@ printf '\177ELF\001\001\001' >"$dir/a.elf"
 "$dir/uf2" 0xe48bff56 0x20000000 "$dir/a.bin" "$dir/ram.uf2"
 head -c 51200 "$dir/a.uf2" >"$dir/short.uf2"
 make -s -j2 B="$B" "$B/pinhole-asset" && "$B/pinhole-asset" tests/host-sim/asset/surfaces.gltf --texture-size 16 -o "$dir/a.phs" && head -c 1000 "$dir/a.phs" >"$dir/half.phs" || exit 1
+command -v arm-none-eabi-gcc >/dev/null && for app in demos depth; do # Pinhole's images, as a board has them
+    make_image firmware BOARD=pico-display APP=$app >/dev/null && cp "$dir/old" "$dir/has-$app" &&
+        dd if="$B/firmware/pico-display-$app.bin" of="$dir/has-$app" conv=notrunc status=none || exit 1
+done
 
 cat >"$dir/in_guest" <<EOT
 images=$dir
@@ -22,7 +26,8 @@ EOT
 cat >>"$dir/in_guest" <<'EOT'
 . tests/guest/flash_in_guest.sh
 cd $GUEST
-for flash in uf2 pico2 pico2-bin bin kept small stalls cut int killed scene; do cp $images/old $flash; done
+for flash in uf2 pico2 pico2-bin bin kept small stalls cut int killed forced; do cp $images/old $flash; done
+cp $images/has-* .
 run none $images/a.uf2
 run list-none --list
 run_on uf2 uf2 "" $images/a.uf2
@@ -34,6 +39,7 @@ wait $usb_device
 run left --list
 plug --flash kept && one=$usb_device
 run refuse-half.phs $images/half.phs --at-scene
+run force $images/a.uf2 --force
 for image in a.elf stm32.uf2 ram.uf2 short.uf2 nothing.uf2; do run refuse-$image $images/$image; done
 run serial $images/a.uf2 --serial NONE
 plug --flash kept
@@ -41,7 +47,10 @@ run two $images/a.uf2
 run list-two --list
 kill $one && wait $one
 pull
-run_on scene scene "" $images/a.phs --at-scene
+for flash in has-demos has-depth kept erased; do
+    run_on scene-$flash $flash "" $images/a.phs --at-scene
+done
+run_on forced forced "" $images/a.phs --at-scene --force
 run_on small small "--flash-bytes 524288" $images/large.bin
 run_on rp2350 kept "--product f" $images/a.uf2
 run_on rp2040 kept "" $images/pico2.uf2
@@ -100,11 +109,11 @@ two_are_listed() {
         [ "$(sort -u "$guest_out/list-two.out" | wc -l)" = 2 ] && ended list-two 0 ""
 }
 
-scene_is_behind_the_program() { # from 0x10080000 on; its last sector is erased behind it, and the rest is as it was
+scene_is_behind() { # the flash before, after: from 0x10080000 on; its last sector is erased behind it, and the rest is as it was
     local bytes end
     bytes=$(stat -c %s "$dir/a.phs") end=$(((0x80000 + $(stat -c %s "$dir/a.phs") + 4095) / 4096 * 4096))
-    cmp <(head -c $((0x80000)) "$dir/old") <(head -c $((0x80000)) "$guest_out/scene") && cmp "$dir/a.phs" <(tail -c +$((0x80001)) "$guest_out/scene" | head -c "$bytes") &&
-        cmp <(tail -c +$((end + 1)) "$dir/old") <(tail -c +$((end + 1)) "$guest_out/scene")
+    cmp <(head -c $((0x80000)) "$1") <(head -c $((0x80000)) "$2") && cmp "$dir/a.phs" <(tail -c +$((0x80001)) "$2" | head -c "$bytes") &&
+        cmp <(tail -c +$((end + 1)) "$1") <(tail -c +$((end + 1)) "$2")
 }
 
 # All the boards that were cut off, and one second run.
@@ -156,9 +165,22 @@ check "another chip's UF2" refused stm32.uf2 'for STM32F4 (family 0x57755a57), n
 check "a UF2 for RAM" refused ram.uf2 'block 0 is for address 0x20000000, outside of the flash (0x10000000 to 0x10ffffff)'
 check "a truncated UF2" refused short.uf2 'truncated: block 0 says that there are 196 blocks, the file has 100'
 check "a scene that is not whole" refused half.phs 'is not whole, or too large'
+check "--force without a scene is wrong usage" ended force 2 '--force goes with --at-scene; see --help'
 check "a file that is not there" refused nothing.uf2 'cannot be opened: No such file or directory'
 check "... and nothing of this has touched the flash" cmp "$dir/old" "$guest_out/kept"
-check "a scene is written behind the program" eval 'ended scene 0 "" && scene_is_behind_the_program'
+nothing_shows() { # name of the run, what is there
+    ended "$1" 1 "RP2040 @: nothing would show the scene: $2; write an image first (make flash BOARD=x), or add --force; nothing was changed"
+}
+
+if [ -e "$dir/has-demos" ]; then
+    check "a scene is written behind an image of all demos, and the board starts" eval 'ended scene-has-demos 0 "" && said scene-has-demos "RP2040 @: $(stat -c %s "$dir/a.phs") bytes written, read back and equal, started" && scene_is_behind "$dir/has-demos" "$guest_out/has-demos"'
+    check "... and not behind an image that takes none" eval 'nothing_shows scene-has-depth "the board has '\''Pinhole depth'\'', which takes no scene at 0x10080000" && cmp "$dir/has-depth" "$guest_out/has-depth"'
+else
+    skip "a scene is written behind an image of all demos" "no arm-none-eabi-gcc"
+fi
+check "a scene for a board that has another program" eval 'nothing_shows scene-kept "the board has a program without a name" && cmp "$dir/old" "$guest_out/kept"'
+check "... or an erased flash" eval 'nothing_shows scene-erased "the flash is erased" && [ -z "$(tr -d "\377" <"$guest_out/erased" | head -c 1)" ]'
+check "... is written with --force" eval 'ended forced 0 "" && scene_is_behind "$dir/old" "$guest_out/forced"'
 check "an image that is larger than the flash" ended small 1 'RP2040 @: the image ends at 0x100aafff, the board'\''s flash of 524288 bytes at 0x1007ffff; nothing was changed'
 check "... which is as it was" cmp "$dir/old" "$guest_out/small"
 check "a board that refuses each command once gets its image" eval 'ended stalls 0 "" && flash_is stalls a.bin zeros'

@@ -11,6 +11,7 @@
 #include "flash_job.h"
 #include "uf2_make.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -309,21 +310,38 @@ static void sectors_that_the_image_leaves_out_stay(void **state)
     assert_memory_equal(flash + 0x81000, before + 0x81000, CHIP_BYTES - 0x81000);
 }
 
-/* Makes the flash hold a program that says where it ends, as picotool reads it: a header in marks, a table of
- * pointers, and an entry for the end as the second of two. */
-static void put_program(uint32_t header_at, uint32_t end)
+/* An entry of a program's binary information, with the text that its value points to, if it has one. */
+struct told {
+    uint32_t id, value;
+    const char *text;
+};
+enum { NAME = 0x02031c86, END = 0x68f465de };
+#define FEATURE 0xa1f4b453U
+
+/* Makes the flash hold a program that tells about itself, as picotool reads it: a header in marks and a table of
+ * pointers to entries. */
+static void put_told(uint32_t header_at, const struct told *told, uint32_t entries)
 {
-    const uint32_t table = 0x3000, entries = 0x3100;
-    const uint32_t header[5] = {0x7188ebf2, FLASH_BASE + table, FLASH_BASE + table + 8, 0, 0xe71aa390};
+    const uint32_t table = 0x3000, places = 0x3100, texts = 0x3200, text_bytes = 64;
+    const uint32_t header[5] = {0x7188ebf2, FLASH_BASE + table, FLASH_BASE + table + 4 * entries, 0, 0xe71aa390};
     for (uint32_t i = 0; i < 5; i++) {
         uf2_put(flash + header_at + 4 * i, header[i]);
     }
-    uf2_put(flash + table, FLASH_BASE + entries);
-    uf2_put(flash + table + 4, FLASH_BASE + entries + 12);
-    uf2_put(flash + entries + 4, 0x02031c86);
-    uf2_put(flash + entries + 8, 0x10000300);
-    uf2_put(flash + entries + 12 + 4, 0x68f465de);
-    uf2_put(flash + entries + 12 + 8, end);
+    for (uint32_t i = 0; i < entries; i++) {
+        const uint32_t text = texts + text_bytes * i;
+        uf2_put(flash + table + 4 * i, FLASH_BASE + places + 12 * i);
+        uf2_put(flash + places + 12 * i + 4, told[i].id);
+        uf2_put(flash + places + 12 * i + 8, told[i].text != NULL ? FLASH_BASE + text : told[i].value);
+        if (told[i].text != NULL) {
+            strcpy((char *)flash + text, told[i].text);
+        }
+    }
+}
+
+static void put_program(uint32_t header_at, uint32_t end)
+{
+    const struct told told[] = {{NAME, 0x10000300, NULL}, {END, end, NULL}};
+    put_told(header_at, told, 2);
 }
 
 static void make_data(uint32_t at)
@@ -372,6 +390,75 @@ static void a_program_that_says_nothing_right_is_none(void **state)
         const int status = run(true, true, NULL);
         assert_int_equal(status, 0);
     }
+}
+
+static int run_scene(void)
+{
+    make_data(0x10080000);
+    plug_in_again();
+    boot = (struct flash_boot){.ops = &ops, .context = &board};
+    job = (struct flash_job){.boot = &boot, .image = &image, .verify = true, .reboot = true, .is_scene = true};
+    return flash_job_run(&job);
+}
+
+static void assert_nothing_shows_it(const char *what)
+{
+    char line[FLASH_ERROR_SIZE];
+    snprintf(line, sizeof line,
+             "nothing would show the scene: %s; write an image first (make flash BOARD=x), or add --force; nothing was "
+             "changed",
+             what);
+    assert_int_equal(run_scene(), FLASH_DIFFERS);
+    assert_string_equal(job.error, line);
+    assert_int_equal(count(ERASE) + count(WRITE), 0);
+    assert_false(board.rebooted);
+}
+
+static void a_scene_is_refused_where_no_program_would_show_it(void **state)
+{
+    const struct told other[] = {{NAME, 0, "blink"}, {END, 0x10004000, NULL}};
+    const struct told depth[] = {{NAME, 0, "Pinhole depth"}};
+    const struct told elsewhere[] = {{NAME, 0, "Pinhole demos"}, {FEATURE, 0, "takes a scene at 0x10100000"}};
+    const struct told unnamed[] = {{END, 0x10004000, NULL}};
+    const struct told odd[] = {{NAME, 0, "a\033[31m\xff name of more than thirty-nine letters"}};
+    (void)state;
+    assert_nothing_shows_it("the board has a program without a name");
+    put_told(256, unnamed, 1);
+    assert_nothing_shows_it("the board has a program without a name");
+    put_told(256, other, 2);
+    assert_nothing_shows_it("the board has 'blink', which takes no scene at 0x10080000");
+    put_told(508, depth, 1);
+    assert_nothing_shows_it("the board has 'Pinhole depth', which takes no scene at 0x10080000");
+    put_told(508, elsewhere, 2);
+    assert_nothing_shows_it("the board has 'Pinhole demos', which takes no scene at 0x10080000");
+    put_told(508, odd, 1);
+    assert_nothing_shows_it("the board has 'a?[31m? name of more than thirty-nine l', which takes no scene at "
+                            "0x10080000");
+    memset(flash, 0xFF, CHIP_BYTES);
+    assert_nothing_shows_it("the flash is erased");
+}
+
+static void a_scene_is_written_where_an_image_says_that_it_takes_one(void **state)
+{
+    const struct told told[] = {{NAME, 0, "Pinhole demos"},
+                                {FEATURE, 0, "something else"},
+                                {FEATURE, 0, "takes a scene at 0x10080000"},
+                                {END, 0x10030000, NULL}};
+    (void)state;
+    put_told(256, told, 4);
+    assert_int_equal(run_scene(), 0);
+    assert_memory_equal(flash + 0x80000, bin, 512);
+    assert_true(board.rebooted);
+}
+
+static void a_scene_does_not_overwrite_the_program_that_takes_it(void **state)
+{
+    const struct told told[] = {{FEATURE, 0, "takes a scene at 0x10080000"}, {END, 0x10080004, NULL}};
+    (void)state;
+    put_told(256, told, 2);
+    assert_int_equal(run_scene(), FLASH_DIFFERS);
+    assert_non_null(strstr(job.error, "the program on the board ends at 0x10080003 and would be overwritten"));
+    assert_int_equal(count(ERASE) + count(WRITE), 0);
 }
 
 /* ---- does it fit? ------------------------------------------------------------------------------- */
@@ -583,6 +670,9 @@ int main(void)
         cmocka_unit_test_setup(sectors_that_the_image_leaves_out_stay, setup),
         cmocka_unit_test_setup(data_do_not_overwrite_the_program, setup),
         cmocka_unit_test_setup(a_program_that_says_nothing_right_is_none, setup),
+        cmocka_unit_test_setup(a_scene_is_refused_where_no_program_would_show_it, setup),
+        cmocka_unit_test_setup(a_scene_is_written_where_an_image_says_that_it_takes_one, setup),
+        cmocka_unit_test_setup(a_scene_does_not_overwrite_the_program_that_takes_it, setup),
         cmocka_unit_test_setup(flash_that_is_too_small_is_left_alone, setup),
         cmocka_unit_test_setup(small_flash_that_is_erased_shows_when_it_is_read_back, setup),
         cmocka_unit_test_setup(flash_that_holds_an_image_twice_is_not_too_small, setup),
