@@ -5,6 +5,7 @@
 #include <string.h>
 
 #define SIDE_LOG2_MAX 10
+#define SCALE_MAX     (1 << 30) /* Q20: a focal length of 2^18 pixels in a picture of 512 */
 
 /* What a mesh takes of the arena. */
 struct drawn {
@@ -33,8 +34,9 @@ static uint32_t texel_count(const struct scene_file_texture *t)
 
 static bool is_texture_right(const struct scene_file_head *head, const struct scene_file_texture *t)
 {
-    return t->log2_width <= SIDE_LOG2_MAX && t->log2_height <= SIDE_LOG2_MAX && t->levels <= SIDE_LOG2_MAX &&
-           t->wrap <= PH_WRAP_CLAMP && t->filter <= PH_FILTER_MIPMAP &&
+    return t->log2_width <= SIDE_LOG2_MAX && t->log2_height <= SIDE_LOG2_MAX &&
+           t->levels <= (t->log2_width > t->log2_height ? t->log2_width : t->log2_height) && t->wrap <= PH_WRAP_CLAMP &&
+           t->filter <= PH_FILTER_MIPMAP && (t->spare[0] | t->spare[1] | t->spare[2]) == 0 &&
            scene_file_inside(head, t->texels, texel_count(t), sizeof(uint16_t));
 }
 
@@ -50,10 +52,23 @@ static bool are_textures_right(const struct scene_file_head *head, const struct 
            (m->uvs == 0 || scene_file_inside(head, m->uvs, m->vertex_count, sizeof(fx_t[2])));
 }
 
+static bool is_share(int32_t share)
+{
+    return share >= 0 && share <= FX_ONE;
+}
+
+static bool is_surface_right(const struct scene_file_mesh *m)
+{
+    return m->shading <= PH_SHADE_TEXTURE_GOURAUD && m->shading != PH_SHADE_WIRE && m->two_sided <= 1 &&
+           m->shininess_log2 <= 7 && m->blend <= SCENE_FILE_ADD && m->alpha <= 32 && m->depth_bias <= 56 &&
+           is_share(m->ambient) && is_share(m->diffuse) && is_share(m->specular) &&
+           (m->blend != SCENE_FILE_MASK || m->alphas.texels != 0) &&
+           (m->blend != SCENE_FILE_OPAQUE || m->alphas.texels == 0);
+}
+
 static bool is_mesh_right(const struct scene_file_head *head, const struct scene_file_mesh *m)
 {
-    if (m->vertex_count > UINT16_MAX || m->shading > PH_SHADE_TEXTURE_GOURAUD || m->shading == PH_SHADE_WIRE ||
-        m->shininess_log2 > 7 || m->blend > SCENE_FILE_ADD || m->alpha > 32 || m->depth_bias > 56 ||
+    if (m->vertex_count > UINT16_MAX ||
         !scene_file_inside(head, m->positions, m->vertex_count,
                            m->moving != 0 ? sizeof(int16_t[3]) : sizeof(struct fx_vec3)) ||
         !scene_file_inside(head, m->normals, m->vertex_count, sizeof(int16_t[3])) ||
@@ -69,6 +84,59 @@ static bool is_mesh_right(const struct scene_file_head *head, const struct scene
         }
     }
     return true;
+}
+
+/* A product of two rows of Q2.30, in Q32 of one. */
+static int64_t product(const int32_t a[3], const int32_t b[3])
+{
+    int64_t sum = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        sum += (int64_t)(a[i] >> 14) * (b[i] >> 14);
+    }
+    return sum;
+}
+
+/* Whether three rows of Q2.30 are a rotation: of length one, at right angles, to 1/256, and not mirrored. */
+static bool is_rotation(const int32_t r[3][3])
+{
+    const int64_t one = (int64_t)1 << 32, near = one >> 8;
+    int32_t cross[3];
+    bool right = true;
+    for (uint32_t i = 0; i < 3; i++) {
+        const int64_t length = product(r[i], r[i]) - one, across = product(r[i], r[(i + 1) % 3]);
+        const uint32_t j = (i + 1) % 3, k = (i + 2) % 3;
+        right = right && length <= near && length >= -near && across <= near && across >= -near;
+        cross[i] = right ? (int32_t)(((int64_t)r[0][j] * r[1][k] - (int64_t)r[0][k] * r[1][j]) >> 31) : 0;
+    }
+    return right && product(cross, r[2]) > 0;
+}
+
+/* ph_frame_begin() would take it, whatever the panel. */
+static bool is_camera_right(const struct scene_file_head *head)
+{
+    return (head->lens_kind == PH_ORTHOGRAPHIC || (head->lens_kind == PH_PERSPECTIVE && head->near_z > 0)) &&
+           head->near_z < head->far_z && head->scale_x_q20 > 0 && head->scale_x_q20 <= SCALE_MAX &&
+           head->scale_y_q20 > 0 && head->scale_y_q20 <= SCALE_MAX && is_rotation(head->r);
+}
+
+static bool is_name_right(const char name[SCENE_FILE_NAME])
+{
+    uint32_t n = 0;
+    while (n < SCENE_FILE_NAME && (uint8_t)name[n] >= ' ' && name[n] != 127) {
+        n++;
+    }
+    return n < SCENE_FILE_NAME && name[n] == '\0';
+}
+
+/* What the head itself says. */
+static const char *head_wrong(const struct scene_file_head *head)
+{
+    return (head->flags & ~(uint32_t)(SCENE_FILE_CAMERA | SCENE_FILE_BARE)) != 0 ? "is broken: it has unknown flags"
+           : !is_name_right(head->name)                                          ? "is broken: its name is no text"
+           : head->mesh_count == 0                                               ? "has no mesh"
+           : (head->flags & SCENE_FILE_CAMERA) != 0 && !is_camera_right(head)
+               ? "is broken: it cannot be seen through its camera"
+               : NULL;
 }
 
 const char *scene_file_wrong(const void *bytes, size_t room)
@@ -90,16 +158,24 @@ const char *scene_file_wrong(const void *bytes, size_t room)
     if (crc32_update(0, (const uint8_t *)bytes + 16, head->bytes - 16) != head->crc) {
         return "has a wrong checksum: write it again";
     }
-    if (head->mesh_count > SCENE_FILE_MESHES || head->name[SCENE_FILE_NAME - 1] != '\0' ||
+    if (head->mesh_count > SCENE_FILE_MESHES ||
         head->mesh_count * sizeof(struct scene_file_mesh) > head->bytes - sizeof(*head)) {
-        return "is broken";
+        return "is broken: its table of meshes is not inside it";
+    }
+    if (head_wrong(head) != NULL) {
+        return head_wrong(head);
     }
     for (uint32_t i = 0; i < head->mesh_count; i++) {
         if (!is_mesh_right(head, &scene_file_table(head)[i])) {
             return "is broken: a mesh is not inside it";
         }
+        if (!is_surface_right(&scene_file_table(head)[i])) {
+            return "is broken: the surface of a mesh is none that can be drawn";
+        }
     }
-    return scene_motion_right(head) ? NULL : "is broken: its animation is not inside it";
+    return !scene_motion_right(head)      ? "is broken: its animation is not inside it"
+           : !scene_motion_can_move(head) ? "is broken: its animation cannot be played"
+                                          : NULL;
 }
 
 size_t scene_file_table_bytes(uint32_t mesh_count, bool on_32)

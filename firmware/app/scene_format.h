@@ -1,6 +1,19 @@
 /*
  * scene_format: the bytes of a binary scene (scene_file.h): a head, a table of meshes behind it, and what both name by
  * offsets from the head's first byte, all 4-byte aligned. Numbers are of little endian, colours in wire order.
+ *
+ * scene_file_wrong() refuses what cannot be drawn or cannot be meant. What follows is allowed, and drawn like this:
+ *   vertex_max, triangle_max   a wish. Too low: what has no room is left out and counted. Too high: the image says that
+ * it needs more memory, and shows its demos SCENE_FILE_BARE            says nothing beside SCENE_FILE_CAMERA; a camera
+ * without that flag is not looked at a mesh without triangles, a triangle with equal corners or without area covers no
+ * pixel vertices that no triangle names, data that meshes share, bytes that nothing names      no harm positions far
+ * away         saturate, and are clipped normals                    of length 0: ambient light only; of another length
+ * than 16384: darker or brighter uvs outside of 0 .. 1      as the texture's wrap says alpha 0 nothing of the mesh
+ * shows PH_FILTER_MIPMAP without levels      has its one level a clip of 0 s              stands at its beginning; keys
+ * behind the duration are never reached a track without keys       moves nothing; of two tracks for one property the
+ * later one counts times that are equal       a jump keys of rotations          of any length; 0 is no rotation weights
+ * of targets         of any size; -8 .. 8 counts places of the rig and of joints     may scale, mirror and shear; what
+ * leaves Q16.16 saturates a motion that no mesh follows       nothing moves
  */
 #ifndef SCENE_FORMAT_H
 #define SCENE_FORMAT_H
@@ -20,16 +33,16 @@ struct scene_file_head {
     uint32_t bytes; /* of all */
     uint32_t crc;   /* CRC-32 (IEEE 802.3) of what follows it */
     uint32_t mesh_count, flags, vertex_max, triangle_max;
-    char name[SCENE_FILE_NAME];
-    int32_t r[3][3], t[3]; /* the camera: struct ph_xform, and the lens: struct ph_projection */
-    uint32_t lens_kind;
+    char name[SCENE_FILE_NAME]; /* without control characters; it ends with 0 */
+    int32_t r[3][3], t[3];      /* the camera: struct ph_xform, a rotation, and the lens: struct ph_projection */
+    uint32_t lens_kind;         /* perspective or orthographic */
     int32_t scale_x_q20, scale_y_q20, near_z, far_z;
     uint32_t motion; /* offset of struct scene_file_motion; 0: nothing moves */
 };
 
 struct scene_file_texture {
-    uint32_t texels; /* offset; 0: there is no texture */
-    uint8_t log2_width, log2_height, wrap, filter, levels, spare[3];
+    uint32_t texels;                                                 /* offset; 0: there is no texture */
+    uint8_t log2_width, log2_height, wrap, filter, levels, spare[3]; /* spare: 0 */
 };
 
 enum scene_file_blend { SCENE_FILE_OPAQUE, SCENE_FILE_MASK, SCENE_FILE_ALPHA, SCENE_FILE_ADD };
@@ -39,10 +52,10 @@ struct scene_file_mesh {
     uint32_t positions, normals, uvs, colours, triangles, ramp; /* offsets; 0: none of uvs, colours */
     uint32_t vertex_count, triangle_count;
     int32_t ambient, diffuse, specular;
-    struct scene_file_texture texture, alphas; /* alphas: of the blend */
-    uint8_t shading, two_sided, shininess_log2;
-    uint8_t blend, alpha; /* enum scene_file_blend; 0 .. 32 */
-    uint8_t depth_bias;   /* 0 .. 56 */
+    struct scene_file_texture texture, alphas;  /* alphas: of the blend; a mask has them */
+    uint8_t shading, two_sided, shininess_log2; /* two_sided: 0 or 1 */
+    uint8_t blend, alpha;                       /* enum scene_file_blend; 0 .. 32 */
+    uint8_t depth_bias;                         /* 0 .. 56 */
     uint16_t colour;
     uint32_t moving; /* offset of struct scene_file_moving; 0: it stands still */
 };

@@ -109,6 +109,65 @@ bool scene_motion_right(const struct scene_file_head *head)
     return true;
 }
 
+/* ---- can it be meant? -------------------------------------------------------------------------------------------- */
+
+static bool do_times_rise(const struct scene_file_head *head, const struct scene_file_clip *clip)
+{
+    const struct scene_file_track *const tracks = scene_file_at(head, clip->tracks);
+    for (uint32_t i = 0; i < clip->track_count; i++) {
+        const uint16_t *const times = scene_file_at(head, tracks[i].times);
+        for (uint32_t k = 1; k < tracks[i].key_count; k++) {
+            if (times[k] < times[k - 1]) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* To 1/64. */
+static bool has_length_one(const struct fx_quat *q)
+{
+    const int32_t parts[4] = {q->w, q->x, q->y, q->z};
+    const int64_t one = (int64_t)1 << 32;
+    int64_t sum = 0;
+    for (uint32_t i = 0; i < 4; i++) {
+        sum += (int64_t)(parts[i] >> 14) * (parts[i] >> 14);
+    }
+    return sum >= one - (one >> 6) && sum <= one + (one >> 6);
+}
+
+static bool do_shares_sum_to_one(const struct scene_file_head *head, const struct scene_file_mesh *mesh)
+{
+    const struct scene_file_moving *const moving = scene_file_at(head, mesh->moving);
+    const struct ph_influence *const influences = moving ? scene_file_at(head, moving->influences) : NULL;
+    for (uint32_t i = 0; influences && i < mesh->vertex_count; i++) {
+        const uint16_t *const w = influences[i].weights;
+        if ((uint32_t)w[0] + w[1] + w[2] + w[3] != PH_INFLUENCE_ONE) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool scene_motion_can_move(const struct scene_file_head *head)
+{
+    const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
+    const struct ph_rig_node *const nodes = motion ? scene_file_at(head, motion->nodes) : NULL;
+    const struct scene_file_clip *const clips = motion ? scene_file_at(head, motion->clips) : NULL;
+    bool right = true;
+    for (uint32_t i = 0; motion && right && i < motion->node_count; i++) {
+        right = has_length_one(&nodes[i].rest.r);
+    }
+    for (uint32_t i = 0; motion && right && i < motion->clip_count; i++) {
+        right = do_times_rise(head, &clips[i]);
+    }
+    for (uint32_t i = 0; right && i < head->mesh_count; i++) {
+        right = do_shares_sum_to_one(head, &scene_file_table(head)[i]);
+    }
+    return right;
+}
+
 /* ---- what motion.h takes ---------------------------------------------------------------------------------------- */
 
 static struct animation_mesh moving_of(const struct scene_file_head *head, uint32_t i)

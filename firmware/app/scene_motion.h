@@ -8,6 +8,10 @@
 /* Whether every offset and number can be used; the meshes are right already. */
 bool scene_motion_right(const struct scene_file_head *head);
 
+/* Whether what it names can be meant: times of keys that do not fall, rotations of length one in the rest pose, shares
+ * of joints that sum to one. scene_motion_right() said yes. */
+bool scene_motion_can_move(const struct scene_file_head *head);
+
 /* The functions below take what is right only, and but for scene_motion_bytes() where head->motion is not 0. */
 
 /* Makes the clip number i in the arena. False: it is full. */

@@ -271,18 +271,256 @@ static void a_skin_outside_of_it_is_seen(void **state)
     is_refused(&moving->target_count, 4, motion->weight_count + 1);
 }
 
+/* ---- what is inside, and wrong ---- */
+
+/* The first mesh with a texture, or with alphas, or the first one. */
+enum which { ANY, TEXTURED, MASKED, OPAQUE };
+
+static struct scene_file_mesh *mesh_in(uint8_t *bytes, enum which which)
+{
+    const struct scene_file_head *const head = (const void *)bytes;
+    struct scene_file_mesh *const table = (void *)(bytes + sizeof *head);
+    for (uint32_t i = 0; i < head->mesh_count; i++) {
+        if (which == ANY || (which == TEXTURED && table[i].texture.texels != 0) ||
+            (which == MASKED && table[i].blend == SCENE_FILE_MASK) ||
+            (which == OPAQUE && table[i].blend == SCENE_FILE_OPAQUE)) {
+            return &table[i];
+        }
+    }
+    fail_msg("no such mesh");
+    return table;
+}
+
+/* Copies the whole scene, with a camera that is right. */
+static struct scene_file_head *copy_with_camera(uint8_t *bytes)
+{
+    struct scene_file_head *const head = (void *)bytes;
+    memcpy(bytes, whole, size);
+    head->flags = SCENE_FILE_CAMERA;
+    memset(head->r, 0, sizeof head->r);
+    head->r[0][0] = head->r[1][1] = head->r[2][2] = 1 << 30;
+    head->lens_kind = PH_PERSPECTIVE;
+    head->scale_x_q20 = head->scale_y_q20 = 2 << 20;
+    head->near_z = FX_ONE;
+    head->far_z = 100 * FX_ONE;
+    return head;
+}
+
+/* Each breaks one thing of a scene that has a camera; line: how it is refused, or NULL: it is meant. */
+#define KIND(what, line, statement)                                                                                    \
+    static void what(uint8_t *bytes, struct scene_file_head *head)                                                     \
+    {                                                                                                                  \
+        (void)bytes, (void)head;                                                                                       \
+        statement;                                                                                                     \
+    }                                                                                                                  \
+    static const char *const what##_line = line;
+
+#define CAMERA  "is broken: it cannot be seen through its camera"
+#define SURFACE "is broken: the surface of a mesh is none that can be drawn"
+#define PLAYED  "is broken: its animation cannot be played"
+#define INSIDE  "is broken: a mesh is not inside it"
+#define NO_NAME "is broken: its name is no text"
+#define NO_FLAG "is broken: it has unknown flags"
+
+KIND(an_unknown_flag, NO_FLAG, head->flags |= 4)
+KIND(a_name_without_an_end, NO_NAME, memset(head->name, 'x', SCENE_FILE_NAME))
+KIND(a_name_that_moves_the_cursor, NO_NAME, memcpy(head->name, "\033[2J", 5))
+KIND(no_mesh, "has no mesh", head->mesh_count = 0)
+KIND(another_lens, CAMERA, head->lens_kind = PH_FISHEYE)
+KIND(a_near_plane_behind_the_far_one, CAMERA, head->near_z = head->far_z)
+KIND(a_near_plane_in_the_eye, CAMERA, head->near_z = 0)
+KIND(a_lens_without_a_scale, CAMERA, head->scale_y_q20 = 0)
+KIND(a_lens_of_a_telescope, CAMERA, head->scale_x_q20 = INT32_MAX)
+KIND(a_camera_that_scales, CAMERA, head->r[1][1] = INT32_MAX)
+KIND(a_camera_without_directions, CAMERA, memset(head->r, 0, sizeof head->r))
+KIND(a_camera_that_is_mirrored, CAMERA, head->r[0][0] = -(1 << 30))
+KIND(a_camera_that_shears, CAMERA, head->r[0][1] = 1 << 29)
+KIND(a_surface_of_three_sides, SURFACE, mesh_in(bytes, ANY)->two_sided = 2)
+KIND(light_below_zero, SURFACE, mesh_in(bytes, ANY)->diffuse = -1)
+KIND(light_above_one, SURFACE, mesh_in(bytes, ANY)->specular = FX_ONE + 1)
+KIND(alpha_above_one, SURFACE, mesh_in(bytes, ANY)->alpha = 33)
+KIND(an_unknown_blend, SURFACE, mesh_in(bytes, ANY)->blend = SCENE_FILE_ADD + 1)
+KIND(wires_without_edges, SURFACE, mesh_in(bytes, OPAQUE)->shading = PH_SHADE_WIRE)
+KIND(a_mask_that_is_not_there, SURFACE, mesh_in(bytes, OPAQUE)->blend = SCENE_FILE_MASK)
+KIND(a_mask_that_is_not_used, SURFACE, mesh_in(bytes, MASKED)->blend = SCENE_FILE_OPAQUE)
+KIND(a_texture_that_is_not_used, INSIDE, mesh_in(bytes, TEXTURED)->shading = PH_SHADE_GOURAUD)
+KIND(a_texture_of_other_sizes, INSIDE, mesh_in(bytes, TEXTURED)->texture.log2_width = 10)
+KIND(more_levels_than_sides, INSIDE, mesh_in(bytes, TEXTURED)->texture.levels = 10)
+KIND(a_reserved_byte, INSIDE, mesh_in(bytes, TEXTURED)->texture.spare[2] = 1)
+
+static uint16_t *corners_in(uint8_t *bytes)
+{
+    return (void *)(bytes + mesh_in(bytes, ANY)->triangles);
+}
+
+static int16_t *normals_in(uint8_t *bytes)
+{
+    return (void *)(bytes + mesh_in(bytes, ANY)->normals);
+}
+
+KIND(no_room_for_vertices, NULL, head->vertex_max = 0)
+KIND(a_camera_on_bare_ground, NULL, head->flags |= SCENE_FILE_BARE)
+KIND(a_lens_that_nobody_looks_through, NULL, (head->flags = 0, head->near_z = -1))
+KIND(an_empty_name, NULL, head->name[0] = '\0')
+KIND(a_mesh_without_triangles, NULL, mesh_in(bytes, ANY)->triangle_count = 0)
+KIND(equal_corners, NULL, corners_in(bytes)[1] = corners_in(bytes)[0])
+KIND(a_normal_of_length_0, NULL, memset(normals_in(bytes), 0, sizeof(int16_t[3])))
+KIND(a_normal_of_length_2, NULL, normals_in(bytes)[0] = INT16_MAX)
+KIND(a_position_far_away, NULL, *(int32_t *)(void *)(bytes + mesh_in(bytes, OPAQUE)->positions) = INT32_MIN)
+KIND(nothing_of_a_mesh_shows, NULL, mesh_in(bytes, MASKED)->alpha = 0)
+
+struct kind {
+    const char *name;
+    void (*change)(uint8_t *bytes, struct scene_file_head *head);
+    const char *const *line;
+};
+#define ROW(what)                                                                                                      \
+    {                                                                                                                  \
+#what, what, &what##_line                                                                                      \
+    }
+
+static void check_kinds(const struct kind *kinds, size_t count)
+{
+    uint8_t *const bytes = malloc(size);
+    assert_non_null(bytes);
+    copy_with_camera(bytes);
+    seal(bytes);
+    assert_null(scene_file_wrong(bytes, size));
+    for (size_t i = 0; i < count; i++) {
+        kinds[i].change(bytes, copy_with_camera(bytes));
+        seal(bytes);
+        const char *const wrong = scene_file_wrong(bytes, size), *const line = *kinds[i].line;
+        if ((wrong == NULL) != (line == NULL) || (line != NULL && strcmp(line, wrong) != 0)) {
+            fail_msg("%s: \"%s\"", kinds[i].name, wrong != NULL ? wrong : "is drawn");
+        }
+        if (wrong == NULL) {
+            play(bytes);
+        }
+    }
+    free(bytes);
+}
+
+static void each_kind_of_wrong_content_is_refused_or_is_meant(void **state)
+{
+    static const struct kind kinds[] = {ROW(an_unknown_flag),
+                                        ROW(a_name_without_an_end),
+                                        ROW(a_name_that_moves_the_cursor),
+                                        ROW(no_mesh),
+                                        ROW(another_lens),
+                                        ROW(a_near_plane_behind_the_far_one),
+                                        ROW(a_near_plane_in_the_eye),
+                                        ROW(a_lens_without_a_scale),
+                                        ROW(a_lens_of_a_telescope),
+                                        ROW(a_camera_that_scales),
+                                        ROW(a_camera_without_directions),
+                                        ROW(a_camera_that_is_mirrored),
+                                        ROW(a_camera_that_shears),
+                                        ROW(a_surface_of_three_sides),
+                                        ROW(light_below_zero),
+                                        ROW(light_above_one),
+                                        ROW(alpha_above_one),
+                                        ROW(an_unknown_blend),
+                                        ROW(wires_without_edges),
+                                        ROW(a_mask_that_is_not_there),
+                                        ROW(a_mask_that_is_not_used),
+                                        ROW(a_texture_that_is_not_used),
+                                        ROW(a_texture_of_other_sizes),
+                                        ROW(more_levels_than_sides),
+                                        ROW(a_reserved_byte),
+                                        ROW(no_room_for_vertices),
+                                        ROW(a_camera_on_bare_ground),
+                                        ROW(a_lens_that_nobody_looks_through),
+                                        ROW(an_empty_name),
+                                        ROW(a_mesh_without_triangles),
+                                        ROW(equal_corners),
+                                        ROW(a_normal_of_length_0),
+                                        ROW(a_normal_of_length_2),
+                                        ROW(a_position_far_away),
+                                        ROW(nothing_of_a_mesh_shows)};
+    (void)state;
+    check_kinds(kinds, sizeof kinds / sizeof kinds[0]);
+}
+
+/* ---- ... of what moves ---- */
+
+static struct scene_file_motion *motion_in(uint8_t *bytes)
+{
+    return (void *)(bytes + ((const struct scene_file_head *)(const void *)bytes)->motion);
+}
+
+static struct scene_file_clip *clip_in(uint8_t *bytes)
+{
+    return (void *)(bytes + motion_in(bytes)->clips);
+}
+
+/* Of the first clip; it has a rotation as its first one. */
+static struct scene_file_track *track_in(uint8_t *bytes)
+{
+    return (void *)(bytes + clip_in(bytes)->tracks);
+}
+
+static uint16_t *times_in(uint8_t *bytes)
+{
+    assert_true(track_in(bytes)->key_count >= 2);
+    return (void *)(bytes + track_in(bytes)->times);
+}
+
+static struct ph_rig_node *nodes_in(uint8_t *bytes)
+{
+    return (void *)(bytes + motion_in(bytes)->nodes);
+}
+
+static struct ph_influence *influence_in(uint8_t *bytes)
+{
+    const struct scene_file_mesh *const mesh = (const void *)(bytes + sizeof(struct scene_file_head));
+    return (void *)(bytes + ((const struct scene_file_moving *)(const void *)(bytes + mesh[2].moving))->influences);
+}
+
+KIND(times_that_fall, PLAYED, times_in(bytes)[0] = (uint16_t)(times_in(bytes)[1] + 1))
+KIND(a_rotation_of_length_2, PLAYED, nodes_in(bytes)->rest.r = ((struct fx_quat){INT32_MAX, 0, 0, 0}))
+KIND(a_rotation_of_length_0, PLAYED, nodes_in(bytes)->rest.r = ((struct fx_quat){0, 0, 0, 0}))
+KIND(shares_below_one, PLAYED, influence_in(bytes)->weights[0]--)
+KIND(shares_above_one, PLAYED, influence_in(bytes)->weights[3]++)
+KIND(times_that_are_equal, NULL, times_in(bytes)[0] = times_in(bytes)[1])
+KIND(a_clip_of_no_length, NULL, clip_in(bytes)->duration = 0)
+KIND(a_track_without_keys, NULL, track_in(bytes)->key_count = 0)
+KIND(a_key_of_length_0, NULL, memset(bytes + track_in(bytes)->keys, 0, sizeof(int16_t[4])))
+KIND(no_clip, NULL, motion_in(bytes)->clip_count = 0)
+KIND(a_node_of_no_size, NULL, nodes_in(bytes)->rest.s = ((struct fx_vec3){0, 0, 0}))
+KIND(a_root_of_no_size, NULL, memset(motion_in(bytes)->r, 0, sizeof motion_in(bytes)->r))
+
+static void each_kind_of_wrong_motion_is_refused_or_is_meant(void **state)
+{
+    static const struct kind kinds[] = {ROW(times_that_fall),        ROW(a_rotation_of_length_2),
+                                        ROW(a_rotation_of_length_0), ROW(shares_below_one),
+                                        ROW(shares_above_one),       ROW(times_that_are_equal),
+                                        ROW(a_clip_of_no_length),    ROW(a_track_without_keys),
+                                        ROW(a_key_of_length_0),      ROW(no_clip),
+                                        ROW(a_node_of_no_size),      ROW(a_root_of_no_size)};
+    (void)state;
+    check_kinds(kinds, sizeof kinds / sizeof kinds[0]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(its_memory_is_what_the_tool_counted),     cmocka_unit_test(its_checksum_is_that_of_ieee),
-        cmocka_unit_test(every_bit_that_changed_is_seen),          cmocka_unit_test(what_is_cut_off_or_erased_is_seen),
-        cmocka_unit_test(no_number_leads_out_of_the_scene),        cmocka_unit_test(a_corner_that_is_not_there_is_seen),
+        cmocka_unit_test(its_memory_is_what_the_tool_counted),
+        cmocka_unit_test(its_checksum_is_that_of_ieee),
+        cmocka_unit_test(every_bit_that_changed_is_seen),
+        cmocka_unit_test(what_is_cut_off_or_erased_is_seen),
+        cmocka_unit_test(no_number_leads_out_of_the_scene),
+        cmocka_unit_test(a_corner_that_is_not_there_is_seen),
         cmocka_unit_test(it_becomes_an_image_behind_the_programs),
+        cmocka_unit_test(each_kind_of_wrong_content_is_refused_or_is_meant),
     };
     const struct CMUnitTest moving[] = {
-        cmocka_unit_test(its_memory_is_what_the_tool_counted), cmocka_unit_test(every_bit_that_changed_is_seen),
-        cmocka_unit_test(what_is_cut_off_or_erased_is_seen),   cmocka_unit_test(no_number_leads_out_of_the_scene),
-        cmocka_unit_test(a_clip_outside_of_it_is_seen),        cmocka_unit_test(a_skin_outside_of_it_is_seen),
+        cmocka_unit_test(its_memory_is_what_the_tool_counted),
+        cmocka_unit_test(every_bit_that_changed_is_seen),
+        cmocka_unit_test(what_is_cut_off_or_erased_is_seen),
+        cmocka_unit_test(no_number_leads_out_of_the_scene),
+        cmocka_unit_test(a_clip_outside_of_it_is_seen),
+        cmocka_unit_test(a_skin_outside_of_it_is_seen),
+        cmocka_unit_test(each_kind_of_wrong_motion_is_refused_or_is_meant),
     };
     return cmocka_run_group_tests(tests, make_scene, drop_scene) +
            cmocka_run_group_tests(moving, make_moving, drop_scene);
