@@ -162,8 +162,10 @@ BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene
              -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0) -DAHEAD_BYTES=$(or $(PORT_AHEAD_BYTES),0) \
              $(if $(or $(SCENE_C),$(if $(PORT_SCENE),,none)),-DSCENE_AT=0 -DSCENE_BYTES=0,-DSCENE_AT=$(UF2_BASE)+$(PORT_SCENE) -DSCENE_BYTES=$(CHIP_FLASH_BYTES)-$(PORT_SCENE))
 
+BUILD_TEXT = $(or $(SCENE_NAME),$(APP_NAME)) for $(BOARD), CORES=$(CORES) CHANGES=$(CHANGES)$(if $(ISA), ISA=$(ISA))$(if $(IMAGE_RAM), RAM_CODE=$(RAM_CODE))
+
 $(B)/board_here.flags: $(B)/board-facts
-	@ram=$$($< ram_bytes); echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" | cmp -s - $@ || echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" >$@
+	@echo "$(BOARD_DEFS) -DRAM_BYTES=$$($< ram_bytes) '-DIMAGE_BUILD=\"$(BUILD_TEXT)\"'" >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 # What a port may tell about an image (PORT_INFO). An image looks for a scene if its main() asks board_here.c where one is.
 $(B)/image_info.h: $(B)/board-facts $(B)/main-$(APP_NAME).o

@@ -8,7 +8,10 @@
 #include "spi_clock.h"
 #include "cortexm/start.h"
 
+#define DID0  REG32(0x400FE000)
+#define DID1  REG32(0x400FE004)
 #define RIS   REG32(0x400FE050)
+#define RESC  REG32(0x400FE05C)
 #define RCC   REG32(0x400FE060)
 #define RCGC1 REG32(0x400FE104)
 #define RCGC2 REG32(0x400FE108)
@@ -120,6 +123,28 @@ uint32_t port_start(void)
     (void)RCGC2;
     start_uart();
     return CLOCK_HZ;
+}
+
+/* Bits of RESC add up until somebody clears them. */
+void port_facts(port_put *put)
+{
+    static const char *const reasons[] = {" the reset pin;", " power on;", " brown-out;",
+                                          " the watchdog;",  " software;", " the LDO;"};
+    const uint32_t resc = RESC;
+    put("chip LM3S, ids ", DID0, PORT_HEX);
+    put(" ", DID1, PORT_HEX);
+    put("\n", 0, PORT_TEXT);
+    put("started by (since power on):", 0, PORT_TEXT);
+    for (uint32_t i = 0; i < sizeof reasons / sizeof reasons[0]; i++) {
+        put((resc >> i & 1) != 0 ? reasons[i] : "", 0, PORT_TEXT);
+    }
+    put(" (reasons ", resc, PORT_HEX);
+    put(")", 0, PORT_TEXT);
+    put("\n", 0, PORT_TEXT);
+    put((RIS & 64) != 0 ? "clock of the 8 MHz crystal by the PLL, not measured: kHz "
+                        : "clock not known, because the PLL is not locked; should be kHz ",
+        CLOCK_HZ / 1000, PORT_DECIMAL);
+    put("\n", 0, PORT_TEXT);
 }
 
 void port_log(const char *text)

@@ -38,7 +38,19 @@
 #define WATCHDOG_LOAD     (WATCHDOG_BASE + 0x04)
 #define WATCHDOG_REASON   (WATCHDOG_BASE + 0x08)
 #define WATCHDOG_SCRATCH0 (WATCHDOG_BASE + 0x0c)
-enum { WATCHDOG_ENABLE = 1 << 30, REASON_TIMER = 1 };
+enum { WATCHDOG_ENABLE = 1 << 30, REASON_TIMER = 1, REASON_FORCE = 2 };
+
+#define SYSINFO_CHIP_ID 0x40000000
+
+/* The frequency counter: counts cycles of a clock for some of clk_ref, whose frequency it is told. A write to SRC
+ * starts it. */
+#define FC0_REF_KHZ  FC0_BASE
+#define FC0_INTERVAL (FC0_BASE + 0x10)
+#define FC0_SRC      (FC0_BASE + 0x14)
+#define FC0_STATUS   (FC0_BASE + 0x18)
+#define FC0_RESULT   (FC0_BASE + 0x1c) /* kHz with 5 bits of fraction */
+enum { FC0_DONE = 1 << 4, FC0_RUNNING = 1 << 8 };
+enum { FC0_SRC_ROSC = 3, FC0_SRC_CLK_SYS = 9, FC0_SRC_CLK_PERI = 10 };
 
 #define TIMER_ALARM0   (TIMER_BASE + 0x10)
 #define TIMER_TIMERAWL (TIMER_BASE + 0x28)

@@ -1,8 +1,8 @@
 /*
  * registers: the RP2040's base addresses and what else only it has; hal/rp2350/registers.h has the RP2350's, and
  * peripherals.h what is the same in both. Names, addresses and bits are those of the RP2040 datasheet (Raspberry Pi
- * Ltd), sections 2.3 (SIO), 2.5 (DMA), 2.13 (power-on state machine), 2.14 (resets), 2.15 .. 2.18 (clocks), 2.19
- * (GPIO), 4.2 (UART), 4.4 (SPI), 4.6 (timer), 4.7 (watchdog).
+ * Ltd), sections 2.3 (SIO), 2.5 (DMA), 2.10 (voltage regulator and chip reset), 2.13 (power-on state machine), 2.14
+ * (resets), 2.15 .. 2.18 (clocks), 2.19 (GPIO), 2.20 (SYSINFO), 4.2 (UART), 4.4 (SPI), 4.6 (timer), 4.7 (watchdog).
  */
 #ifndef RP2040_REGISTERS_H
 #define RP2040_REGISTERS_H
@@ -20,6 +20,8 @@
 #define IO_BANK0_INTR0  0x400140f0
 #define PADS_BANK0_BASE 0x4001c000
 #define UART0_BASE      0x40034000
+#define FC0_BASE        (CLOCKS_BASE + 0x80)
+#define CHIP_RESET      0x40064008
 #define SPI_BASE(unit)  (0x4003c000 + 0x4000 * (uint32_t)(unit))
 
 #include "rp2040/peripherals.h"
@@ -56,6 +58,14 @@ enum { PSM_OSCILLATORS = 3, PSM_PROC1 = 1 << 16, PSM_ALL = 0x1ffff };
 #define DMA_TREQ_SPI_TX(unit) ((16U + 2U * (uint32_t)(unit)) << 15)
 
 enum { IRQ_TIMER_0 = 0, IRQ_DMA_0 = 11 };
+
+/* Bits of CHIP_RESET. Each of them is written as an element of an array. */
+#define CHIP_RESETS                                                                                                    \
+    {1 << 8, "power on, or brown-out"}, {1 << 16, "the RUN pin"},                                                      \
+    {                                                                                                                  \
+        1 << 20, "the debug port"                                                                                      \
+    }
+#define CHIP_NAME "RP2040"
 
 #define CLK_HZ            125000000           /* clk_sys, see clocks.c */
 #define CLK_PERI_HZ       125000000           /* of SPI and UART */

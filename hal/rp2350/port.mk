@@ -3,7 +3,7 @@
 PORT_ISAS = arm riscv
 PORT_CPU = $(if $(filter riscv,$(ISA)),rv32,armv7m)
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
-           $(addprefix hal/rp2040/,start.c guard.c clocks.c rp2040.c spi.c pins.c uart.c) hal/rp2350/flash.c \
+           $(addprefix hal/rp2040/,start.c guard.c clocks.c facts.c rp2040.c spi.c pins.c uart.c) hal/rp2350/flash.c \
            $(if $(filter riscv,$(ISA)),$(addprefix hal/rp2350/riscv/,entry.S trap.c) firmware/bare/memory.c,hal/rp2040/entry.S hal/rp2350/arm/vectors.S)
 ifeq ($(ISA),riscv)
 PORT_CROSS = riscv64-unknown-elf-

@@ -1,8 +1,8 @@
 /*
  * registers: the RP2350's base addresses and what else only it has; see hal/rp2040/registers.h. Names, addresses and
- * bits are those of the RP2350 datasheet (Raspberry Pi Ltd), sections 3.1 (SIO), 5.4 (ROM), 7.5 (resets), 8.1 .. 8.6
- * (clocks), 7.4 (power-on state machine), 9.11 (GPIO), 12.1 (UART), 12.3 (SPI), 12.6 (DMA), 12.8 (timer), 12.9
- * (watchdog).
+ * bits are those of the RP2350 datasheet (Raspberry Pi Ltd), sections 3.1 (SIO), 5.4 (ROM), 6.4 (POWMAN), 7.5 (resets),
+ * 8.1 .. 8.6 (clocks), 7.4 (power-on state machine), 9.11 (GPIO), 12.1 (UART), 12.3 (SPI), 12.6 (DMA), 12.8 (timer),
+ * 12.9 (watchdog), 12.15 (SYSINFO).
  */
 #ifndef RP2350_REGISTERS_H
 #define RP2350_REGISTERS_H
@@ -21,6 +21,8 @@
 #define IO_BANK0_INTR0  0x40028230
 #define PADS_BANK0_BASE 0x40038000
 #define UART0_BASE      0x40070000
+#define FC0_BASE        (CLOCKS_BASE + 0x8c)
+#define CHIP_RESET      0x4010002c /* of POWMAN */
 #define SPI_BASE(unit)  (0x40080000 + 0x8000 * (uint32_t)(unit))
 
 #include "rp2040/peripherals.h"
@@ -54,6 +56,16 @@ enum { PSM_OSCILLATORS = 3 << 2, PSM_PROC1 = 1 << 24, PSM_ALL = 0x1ffffff };
 #define DMA_TREQ_SPI_TX(unit) ((24U + 2U * (uint32_t)(unit)) << 17)
 
 enum { IRQ_TIMER_0 = 0, IRQ_DMA_0 = 10 };
+
+/* Bits of CHIP_RESET. Each of them is written as an element of an array. */
+#define CHIP_RESETS                                                                                                    \
+    {1 << 16, "power on"}, {1 << 17, "brown-out"}, {1 << 18, "the RUN pin"},                                           \
+        {1 << 19 | 1 << 21 | 1 << 27, "the debug port"}, {1 << 26, "a glitch of the supply"},                          \
+        {1 << 25, "the core's power was off"},                                                                         \
+    {                                                                                                                  \
+        0x11c00000, "the watchdog"                                                                                     \
+    }
+#define CHIP_NAME "RP2350"
 
 #define CLK_HZ            150000000 /* clk_sys, see clocks.c */
 #define CLK_PERI_HZ       125000000 /* of SPI and UART: SPI makes 62.5 MHz of it, and would make 37.5 of 150 */

@@ -16,10 +16,12 @@
 #define RCC_AHB1ENR REG32(0x40023830)
 #define RCC_APB1ENR REG32(0x40023840)
 #define RCC_APB2ENR REG32(0x40023844)
+#define RCC_CSR     REG32(0x40023874)
 #define FLASH_ACR   REG32(0x40023C00)
 #define MEMRMP      REG32(0x40013800) /* in SYSCFG */
 #define AIRCR       REG32(0xE000ED0C)
 #define MPU_CTRL    REG32(0xE000ED94)
+#define IDCODE      REG32(0xE0042000) /* of DBGMCU, RM0090 38.6.1 */
 
 #define GPIO_MODER   0x00
 #define GPIO_OSPEEDR 0x08
@@ -197,6 +199,37 @@ uint32_t port_start(void)
     USART_BRR = (kit.apb1_hz + BAUD / 2) / BAUD;
     USART_CR1 = 1U << 13 | 8U | 4U;
     return kit.cpu_hz;
+}
+
+/* Flags of RCC_CSR (RM0090 6.3.21); they add up until a power-on, so that several may be set. */
+static void put_start(port_put *put)
+{
+    static const struct {
+        uint32_t bit;
+        const char *text;
+    } reasons[] = {
+        {1U << 27, " power on;"},   {1U << 25, " brown-out or power on;"}, {1U << 28, " a reset by software;"},
+        {1U << 29, " a watchdog;"}, {1U << 30, " the window watchdog;"},   {1U << 31, " low power;"},
+        {1U << 26, " the NRST pin"}};
+    const uint32_t flags = RCC_CSR;
+    put("started by (since power on):", 0, PORT_TEXT);
+    for (uint32_t i = 0; i < sizeof reasons / sizeof reasons[0]; i++) {
+        put((flags & reasons[i].bit) != 0 ? reasons[i].text : "", 0, PORT_TEXT);
+    }
+    put(" (reasons ", flags >> 24, PORT_HEX);
+    put(")", 0, PORT_TEXT);
+    put("\n", 0, PORT_TEXT);
+}
+
+void port_facts(port_put *put)
+{
+    put("chip STM32F4, id ", IDCODE, PORT_HEX);
+    put("\n", 0, PORT_TEXT);
+    put_start(put);
+    put(kit.cpu_hz == HSI_HZ ? "clock HSI, because crystal or PLL did not start: kHz "
+                             : "clock of the 12 MHz crystal by the PLL, not measured: kHz ",
+        kit.cpu_hz / 1000, PORT_DECIMAL);
+    put("\n", 0, PORT_TEXT);
 }
 
 void port_log(const char *text)

@@ -27,6 +27,12 @@ void port_boot_loader(void)
 {
 }
 
+void port_facts(port_put *put)
+{
+    put("chip: this port does not tell", 0, PORT_TEXT);
+    put("\n", 0, PORT_TEXT);
+}
+
 void port_bus_stop(void)
 {
 }

@@ -7,7 +7,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <sys/utsname.h>
 #include <time.h>
 
 #define SECOND_NS 1000000000u
@@ -244,16 +243,11 @@ int panel_show_run(struct panel_display *displays, int count, const struct panel
     return status;
 }
 
-int panel_show_report(struct panel_display *display, const struct panel_scene *scene, self_test_put *put,
-                      void (*look)(void))
+int panel_show_report(struct panel_display *display, const struct panel_scene *scene,
+                      const struct self_test_machine *machine, self_test_put *put, void (*look)(void))
 {
-    char machine[sizeof(struct utsname)];
-    struct utsname system;
     int status = open_display(display, scene);
     if (status == 0) {
-        uname(&system);
-        snprintf(machine, sizeof machine, "%s %s %s, %s", system.sysname, system.release, system.machine,
-                 display->hal.ops->name);
         status = self_test_report(&display->runner, machine, put);
         look();
         status = status < 0   ? fail(display, "", status)

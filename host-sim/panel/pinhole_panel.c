@@ -4,6 +4,7 @@
 #include "model.h"
 #include "nearest.h"
 #include "panel_doctor.h"
+#include "panel_facts.h"
 #include "panel_kit.h"
 #include "panel_probe.h"
 #include "panel_show.h"
@@ -224,11 +225,15 @@ static void wait_for_enter(void)
 static int report(struct stage *stage, const struct panel_options *o)
 {
     struct panel_scene scene = plain_scene(o);
+    char build[80];
+    const struct self_test_machine machine = {
+        .build = build, .facts = panel_facts, .context = &stage->kits[0], .why = kit_error};
     int status = choose_kits(stage, o);
+    snprintf(build, sizeof build, "pinhole-panel for %s", stage->kits[0].board.name);
     scene.demo = demo_find("turntable");
     scene.overlay = scene.diff = false; /* every frame whole, and nothing over it */
     if (status == 0) {
-        status = panel_show_report(&stage->displays[0], &scene, put_text, wait_for_enter);
+        status = panel_show_report(&stage->displays[0], &scene, &machine, put_text, wait_for_enter);
     }
     for (int i = 0; i < stage->count; i++) {
         panel_kit_release(&stage->kits[i]);

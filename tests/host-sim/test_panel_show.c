@@ -11,6 +11,7 @@
 #include "panel_show.h"
 #include "self_test.h"
 #include "sim.h"
+#include "version.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -198,17 +199,98 @@ static void look(void)
     sim_pixels(looked_at, board_rpi_waveshare_1in44.rotation, card);
 }
 
-static int report(struct panel_scene *scene)
+/* A kit whose clock and lines are this test's. */
+static struct {
+    const struct hal_ops *real;
+    struct hal_ops ops;
+    struct board board;
+    uint32_t us, edge_us, missing; /* time; between two edges of TE; the edge of that number does not come */
+    uint32_t write_us, clock_hz, read_hz;
+    int read_status;
+    bool breaks, broken; /* the bus, once the facts are told */
+} kit;
+
+static void facts(const void *context, self_test_put *put)
+{
+    put(context);
+    kit.broken = kit.breaks;
+    put("\n");
+}
+
+static const struct self_test_machine machine = {
+    .build = "a test", .frames = 1234, .facts = facts, .why = no_words, .context = "chip of this test"};
+
+static uint32_t kit_time(void *context)
+{
+    (void)context;
+    return kit.us;
+}
+
+static int kit_edge(void *context, uint32_t timeout_us)
+{
+    (void)context;
+    const bool comes = kit.edge_us <= timeout_us && --kit.missing != 0;
+    kit.us += comes ? kit.edge_us : timeout_us;
+    return comes ? HAL_OK : HAL_ETIMEDOUT;
+}
+
+static int kit_read(void *context, uint8_t command, uint8_t *bytes, size_t n)
+{
+    static const uint8_t answer[] = {0x00, 0x7C, 0x89, 0xF0, 0xFF};
+    (void)context;
+    assert_int_equal(command, 0x04);
+    assert_int_equal(n, sizeof answer);
+    memcpy(bytes, answer, n);
+    kit.read_hz = kit.clock_hz;
+    return kit.read_status;
+}
+
+static int32_t kit_clock(void *context, uint32_t hz)
+{
+    kit.clock_hz = hz;
+    return kit.real->bus_clock(context, hz);
+}
+
+static int kit_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    kit.us += kit.write_us;
+    if (kit.broken) {
+        return HAL_EIO;
+    }
+    return kit.real->bus_write(context, dc, bytes, n);
+}
+
+static int report(struct panel_scene *scene, bool own)
 {
     static struct panel_display d;
     struct sim *sim;
     plug(&d, &board_rpi_waveshare_1in44, &sim);
+    if (own) {
+        kit.real = d.hal.ops;
+        kit.ops = *d.hal.ops;
+        kit.ops.te_wait = kit_edge;
+        kit.ops.bus_read = kit_read;
+        kit.ops.time_us = kit_time;
+        kit.ops.bus_clock = kit_clock;
+        kit.ops.bus_write = kit_write;
+        d.hal.ops = &kit.ops;
+        d.board = &kit.board;
+    }
     looked_at = sim;
     report_text[0] = '\0';
-    const int status = panel_show_report(&d, scene, put_text, look);
+    const int status = panel_show_report(&d, scene, &machine, put_text, look);
     assert_true(is_dark(sim, &board_rpi_waveshare_1in44));
     sim_close(sim);
     return status;
+}
+
+static void assert_line(const char *line)
+{
+    char text[200];
+    snprintf(text, sizeof text, "\n%s\n", line);
+    if (strstr(report_text, text) == NULL) {
+        fail_msg("no '%s' in:\n%s", line, report_text);
+    }
 }
 
 static void a_report_has_known_frames_and_shows_the_card(void **state)
@@ -216,16 +298,105 @@ static void a_report_has_known_frames_and_shows_the_card(void **state)
     (void)state;
     volatile sig_atomic_t stop = 0;
     struct panel_scene scene = scene_of(1, &stop);
-    assert_int_equal(report(&scene), 0);
-    assert_non_null(strstr(report_text, "\ncube 128x128 crc32 E6A27136, as known\n"));
-    assert_non_null(strstr(report_text, "\ntestcard 128x128 crc32 50FC6910, as known\nself-test: passed\n"));
-    assert_non_null(strstr(report_text, "rpi-waveshare-1in44: Raspberry Pi with"));
-    assert_non_null(strstr(report_text, " frames/s, left out 0 triangles 0 vertices\n"));
+    assert_int_equal(report(&scene, false), 0);
+    assert_line("Pinhole " PH_VERSION ", a test");
+    assert_line("kit Raspberry Pi with Waveshare 1.44inch LCD HAT, 128x128");
+    assert_line("chip of this test");
+    assert_line("display st7735s-128x128, 128x128, turned 90, bus 9000000 Hz");
+    assert_line("display id: MISO is not wired");
+    assert_line("TE: not wired");
+    assert_line("left out: 0 triangles 0 vertices; sent before the report: 1234 frames");
+    assert_line("cube 128x128 crc32 E6A27136, as known");
+    assert_line("testcard 128x128 crc32 50FC6910, as known\nself-test: passed");
+    assert_non_null(strstr(report_text, "\ncompiler gcc "));
     uint32_t lit = 0;
     for (size_t i = 0; i < sizeof card; i += 3) {
         lit += card[i] != 0 || card[i + 1] != 0 || card[i + 2] != 0;
     }
     assert_in_range(lit, 1000, 128 * 128);
+}
+
+static void a_report_can_be_pasted(void **state)
+{
+    (void)state;
+    volatile sig_atomic_t stop = 0;
+    struct panel_scene scene = scene_of(1, &stop);
+    assert_int_equal(report(&scene, false), 0);
+    size_t width = 0;
+    for (const char *c = report_text; *c != '\0'; c++) {
+        assert_true(*c == '\n' || (*c >= ' ' && *c <= '~'));
+        width = *c == '\n' ? 0 : width + 1;
+        assert_true(width < 80);
+    }
+    assert_int_equal(strncmp(report_text, "---- Pinhole report: copy from here ----\n", 41), 0);
+    assert_string_equal(strrchr(report_text, 'P'), "Pinhole report: to here ----\n");
+}
+
+/* 128 lines in bands of 16 are 8 writes, and the window takes some more: all take 1 ms here. */
+static void a_report_tells_what_lines_and_bus_do(void **state)
+{
+    (void)state;
+    volatile sig_atomic_t stop = 0;
+    struct panel_scene scene = scene_of(1, &stop);
+    memset(&kit, 0, sizeof kit);
+    kit.board = board_rpi_waveshare_1in44;
+    kit.board.pins.tearing.wired = kit.board.pins.data_in.wired = true;
+    kit.edge_us = 16400;
+    kit.write_us = 1000;
+    assert_int_equal(report(&scene, true), 0);
+    assert_line("display id: 04h gives 00 7C 89 F0 FF");
+    assert_int_equal(kit.read_hz, board_rpi_waveshare_1in44.panel->controller->init_hz);
+    assert_int_equal(kit.clock_hz, board_rpi_waveshare_1in44.spi_hz);
+    assert_line("TE: 60.9 edges/s, missed before 0");
+    const char *frame = strstr(report_text, "\nwhole frame: ");
+    assert_non_null(frame);
+    const unsigned long us = strtoul(frame + 14, NULL, 10);
+    assert_true(us % 1000 == 0 && us >= 8000 && us <= 20000);
+}
+
+static void a_report_tells_of_a_silent_or_unsteady_te(void **state)
+{
+    (void)state;
+    volatile sig_atomic_t stop = 0;
+    struct panel_scene scene = scene_of(1, &stop);
+    memset(&kit, 0, sizeof kit);
+    kit.board = board_rpi_waveshare_1in44;
+    kit.board.pins.tearing.wired = true;
+    kit.edge_us = 60000;
+    kit.write_us = 100000;
+    assert_int_equal(report(&scene, true), 0);
+    assert_line("TE: no edge in 50 ms");
+    kit.edge_us = 20000;
+    const uint32_t waits = 2 * 17 + 30; /* more than the frames before it wait for */
+    bool unsteady = false;
+    for (uint32_t n = 1; n < waits && !unsteady; n++) {
+        kit.missing = n;
+        assert_int_equal(report(&scene, true), 0);
+        unsteady = strstr(report_text, "\nTE: edges come, but not always\n") != NULL;
+    }
+    assert_true(unsteady);
+}
+
+static void a_report_tells_why_it_did_not_end(void **state)
+{
+    (void)state;
+    volatile sig_atomic_t stop = 0;
+    struct panel_scene scene = scene_of(1, &stop);
+    static struct stderr_capture said;
+    memset(&kit, 0, sizeof kit);
+    kit.board = board_rpi_waveshare_1in44;
+    kit.board.pins.data_in.wired = true;
+    kit.write_us = 100000;
+    kit.read_status = HAL_EIO;
+    assert_int_equal(report(&scene, true), 0);
+    assert_line("display id: cannot be read, error 5");
+    kit.breaks = true;
+    stderr_capture_begin(&said);
+    const int status = report(&scene, true);
+    stderr_capture_end(&said);
+    assert_int_equal(status, COMPLAINED);
+    assert_line("self-test: did not end, error 5\nerror: chip of this test");
+    assert_non_null(strstr(report_text, "---- Pinhole report: to here ----\n"));
 }
 
 static void a_report_says_that_a_picture_is_not_the_known_one(void **state)
@@ -236,7 +407,7 @@ static void a_report_says_that_a_picture_is_not_the_known_one(void **state)
     scene.overlay = true; /* other pixels */
     static struct stderr_capture said;
     stderr_capture_begin(&said);
-    const int status = report(&scene);
+    const int status = report(&scene, false);
     stderr_capture_end(&said);
     assert_int_equal(status, COMPLAINED);
     assert_non_null(strstr(said.text, "rpi-waveshare-1in44: the picture is not the known one"));
@@ -248,6 +419,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_report_has_known_frames_and_shows_the_card),
+        cmocka_unit_test(a_report_can_be_pasted),
+        cmocka_unit_test(a_report_tells_what_lines_and_bus_do),
+        cmocka_unit_test(a_report_tells_of_a_silent_or_unsteady_te),
+        cmocka_unit_test(a_report_tells_why_it_did_not_end),
         cmocka_unit_test(a_report_says_that_a_picture_is_not_the_known_one),
         cmocka_unit_test(a_run_shows_its_frames_and_ends_dark),
         cmocka_unit_test(a_signal_ends_it_after_the_frame),

@@ -3,6 +3,7 @@
  *   BOARD_HERE   the board's symbol          RAM_BYTES     its ram_bytes (firmware/tools/board_facts.c reads it)
  *   DEMO_HERE    the first demo's symbol     TILES_BYTES   memory for signatures of tiles, or 0
  *   AHEAD_BYTES  memory for the next frame's scene, or 0
+ *   IMAGE_BUILD  image_build
  *   SCENE_AT     where a binary scene may lie in flash, of at most SCENE_BYTES; 0: nowhere
  */
 #include "demo.h"
@@ -17,6 +18,8 @@ extern const struct demo DEMO_HERE;
 
 const struct board *const board_here = &BOARD_HERE;
 const struct demo *const demo_here = &DEMO_HERE;
+
+const char *const image_build = IMAGE_BUILD;
 
 uint64_t image_memory[(RAM_BYTES - RUNNER_OTHER_BYTES) / sizeof(uint64_t)];
 const size_t image_memory_bytes = sizeof image_memory;

@@ -26,21 +26,10 @@ struct console {
     uint32_t line_frame; /* the next frame then */
 };
 
-static void log_number(uint32_t value)
-{
-    char text[11], *digit = text + 10;
-    *digit = '\0';
-    do {
-        *--digit = (char)('0' + value % 10);
-        value /= 10;
-    } while (value > 0);
-    port_log(digit);
-}
-
 static void log_named(const char *name, uint32_t value)
 {
     port_log(name);
-    log_number(value);
+    self_test_number(port_log, value, false, 1);
 }
 
 /* "frame 117, 24 frames/s, left out 0 triangles 0 vertices, stack 4032" */
@@ -125,10 +114,25 @@ static void log_text(const char *text)
     port_log(text[0] == '\n' ? "\r\n" : text);
 }
 
-/* A failed CRC is in the report; only an error stops the image. */
-static int write_report(struct runner *runner, struct console *console)
+static void log_fact(const char *text, uint32_t value, enum port_form form)
 {
-    const int status = self_test_report(runner, runner->config.other_core != NULL ? "2 cores" : "1 core", log_text);
+    log_text(text);
+    if (form != PORT_TEXT) {
+        self_test_number(port_log, value, form == PORT_HEX, 1);
+    }
+}
+
+static void log_facts(const void *context, self_test_put *put)
+{
+    (void)context, (void)put; /* log_text */
+    port_facts(log_fact);
+}
+
+/* A failed CRC is in the report; only an error stops the image. */
+static int write_report(struct runner *runner, struct console *console, uint32_t frames)
+{
+    const struct self_test_machine machine = {.build = image_build, .frames = frames, .facts = log_facts};
+    const int status = self_test_report(runner, &machine, log_text);
     console->reporting = false;
     console->holding = true;
     return status < 0 ? status : 0;
@@ -142,7 +146,7 @@ static int run(struct runner *runner)
     for (uint32_t frame = 0; status == 0; frame++) {
         listen(&console);
         if (console.reporting) {
-            status = write_report(runner, &console);
+            status = write_report(runner, &console, frame);
             frame--;
             continue;
         }

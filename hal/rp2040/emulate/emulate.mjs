@@ -28,6 +28,7 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --jump FRAME:N      the scene of this frame is that of number N, and the next ones follow; may be given several times
   --delays SEED       each core waits now and then, for up to 30 us; frame N has the delays of SEED + N
   --accesses FILE     the accesses to registers, for rp2040-registers
+  --chip NAME=N,..    what the chip says of itself: ring (Hz of its ring oscillator), id, reset, reason (see facts.mjs)
   --free-wire         words take no time on the bus: the report has the cores' own time
   --free-flash        flash is as fast as RAM (it lies behind a cache, see flash.mjs)
   --limit-ms N        ends with an error when so much emulated time has passed (60000)
@@ -43,7 +44,7 @@ const { values: options, positionals } = parseArgs({
     report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
     press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
     jump: { type: 'string', multiple: true, default: [] },
-    accesses: { type: 'string' }, delays: { type: 'string' }, charge: { type: 'string', default: '0' }, fault: { type: 'string' }, calls: { type: 'string' },
+    accesses: { type: 'string' }, delays: { type: 'string' }, charge: { type: 'string', default: '0' }, fault: { type: 'string' }, chip: { type: 'string', default: '' }, calls: { type: 'string' },
     'free-wire': { type: 'boolean', default: false }, 'free-flash': { type: 'boolean', default: false }, 'limit-ms': { type: 'string', default: '60000' },
     help: { type: 'boolean', default: false },
   },
@@ -159,6 +160,7 @@ if (CHIPS[options.flash] === undefined) {
 const machine = makeMachine(lib, {
   cores: Number(options.cores),
   chip: options.flash,
+  facts: Object.fromEntries(options.chip.split(',').filter((text) => text !== '').map((text) => text.split('=')).map(([name, n]) => [name, Number(n)])),
   warn(text) {
     objections++;
     if (objections <= 10) {

@@ -1,8 +1,8 @@
 // An RP2040 with the parts that rp2040js lacks: a wire that takes time, flash behind a cache (flash.mjs), a second core, a
 // few words of the boot ROM, an MPU, lockup, and a watchdog that resets.
 //
-//   const machine = makeMachine(rp2040js, { cores, warn, chip });    warn(text): the emulator objects to something; chip: a
-//                                              name of flash_chips.mjs
+//   const machine = makeMachine(rp2040js, { cores, warn, chip, facts });    warn(text): the emulator objects to something;
+//                                              chip: a name of flash_chips.mjs; facts: see facts.mjs
 //   machine.load(image);                                       Uint8Array from the first byte of flash
 //   machine.run(() => stop);                                   until stop() is true or the image has ended
 //
@@ -14,6 +14,7 @@
 // ns a core waits after an instruction (0). onAccess(core, address, value, bytes, writes): a core has read or will write a
 // register; onRestart(): they are as after a reset.
 
+import { addFacts } from './facts.mjs';
 import { makeFlash } from './flash.mjs';
 import { CHIPS } from './flash_chips.mjs';
 
@@ -326,7 +327,7 @@ function addLogger(machine) {
   console.warn = (...text) => machine.warn(text.join(' '));
 }
 
-export function makeMachine(lib, { cores = 1, warn, chip = 'w25q16jv' }) {
+export function makeMachine(lib, { cores = 1, warn, chip = 'w25q16jv', facts = {} }) {
   const mcu = new lib.RP2040();
   const { clock } = mcu;
   const machine = {
@@ -347,6 +348,7 @@ export function makeMachine(lib, { cores = 1, warn, chip = 'w25q16jv' }) {
   machine.flash = makeFlash(machine, CHIPS[chip]);
   machine.cores.forEach((own) => addMemory(machine, own, addMpu(machine, own, own.ppb)));
   addWatchdog(machine, fifos);
+  addFacts(machine, facts);
   mcu.spi.forEach((spi) => addWireTime(machine, spi));
   mcu.uart[0].onByte = (byte) => machine.onUart(byte);
   addRom(machine);

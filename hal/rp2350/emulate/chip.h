@@ -10,6 +10,7 @@
  *   rom_blocks.c, rom_items.c   which image it starts  rom_uf2.c   which UF2 file its boot loader takes
  *   sio.c       FIFOs between the cores, spin locks   pins.c      pins and pads
  *   spi.c       PL022, whose words take time          dma.c       channels
+ *   facts.c     id, reasons of resets, frequency counter
  *   record.c    the events on the wires               rp2350_emulate.c   options, frames, report
  *
  * Section numbers in the sources are those of the RP2350 datasheet (Raspberry Pi Ltd). Time is in femtoseconds: a
@@ -129,6 +130,12 @@ struct chip {
     uint64_t xosc_stable;
     struct pll pll[2];
     double ref_hz, sys_hz, peri_hz;
+    struct facts {
+        double ring_hz;
+        uint32_t id, reset;  /* CHIP_ID, CHIP_RESET */
+        uint32_t counter[8]; /* the words of the frequency counter */
+        uint64_t counted_at; /* it counts until then */
+    } facts;
     uint64_t sys_cycle; /* fs */
     uint32_t psm_off, psm_watchdog;
     struct tick {
@@ -230,6 +237,11 @@ void rom_core1_word(struct chip *chip, uint32_t word);
 uint32_t clocks_read(struct chip *chip, uint32_t address);
 void clocks_write(struct chip *chip, uint32_t address, uint32_t value);
 void clocks_reset(struct chip *chip);
+void facts_init(struct chip *chip);
+void facts_reset(struct chip *chip);
+bool facts_set(struct chip *chip, const char *text); /* "ring=HZ,id=N,reset=N,reason=N" */
+uint32_t counter_read(const struct chip *chip, uint32_t number);
+void counter_write(struct chip *chip, uint32_t number, uint32_t value);
 uint32_t timer_read(struct chip *chip, uint32_t offset);
 void timer_write(struct chip *chip, uint32_t offset, uint32_t value);
 void timer_event(struct chip *chip);

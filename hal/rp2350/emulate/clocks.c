@@ -4,7 +4,6 @@
 #include <string.h>
 
 #define CRYSTAL_HZ   12e6
-#define RING_HZ      11e6 /* about: what the chip starts with */
 #define SYS_LIMIT_HZ 150e6
 #define ALL_BLOCKS   0x1fffffff
 #define WATCHDOG_ON  (1U << 30)
@@ -12,6 +11,7 @@ enum { PSM_ALL_BUT_OSCILLATORS = 0x1ffffff & ~(3 << 2), PSM_PROC1 = 1 << 24 };
 
 /* Block of 4 KB and offset in it. */
 enum {
+    SYSINFO = 0x40000000,
     CLOCKS = 0x40010000,
     PSM = 0x40018000,
     RESETS = 0x40020000,
@@ -19,6 +19,7 @@ enum {
     PLL_SYS = 0x40050000,
     PLL_USB = 0x40058000,
     WATCHDOG = 0x400d8000,
+    POWMAN = 0x40100000,
     TICKS = 0x40108000
 };
 
@@ -45,7 +46,10 @@ static double sys_source(struct chip *chip)
     if ((chip->sys_control & 1) == 0) {
         return chip->ref_hz;
     }
-    return aux < 2 ? pll_hz(chip, aux) : aux == 2 ? RING_HZ : aux == 3 && crystal_runs(chip) ? CRYSTAL_HZ : none;
+    return aux < 2                          ? pll_hz(chip, aux)
+           : aux == 2                       ? chip->facts.ring_hz
+           : aux == 3 && crystal_runs(chip) ? CRYSTAL_HZ
+                                            : none;
 }
 
 static double peri_source(struct chip *chip)
@@ -54,7 +58,7 @@ static double peri_source(struct chip *chip)
     if ((chip->peri_control & 1 << 11) == 0) {
         return 0;
     }
-    return aux == 0 ? chip->sys_hz : aux < 3 ? pll_hz(chip, aux - 1) : aux == 3 ? RING_HZ : CRYSTAL_HZ;
+    return aux == 0 ? chip->sys_hz : aux < 3 ? pll_hz(chip, aux - 1) : aux == 3 ? chip->facts.ring_hz : CRYSTAL_HZ;
 }
 
 static uint64_t ticks_now(const struct chip *chip, uint32_t number)
@@ -81,7 +85,7 @@ static void update(struct chip *chip)
 {
     const uint32_t source = chip->ref_control & 3;
     const double ref = chip->ref_hz;
-    chip->ref_hz = source == 2 && crystal_runs(chip) ? CRYSTAL_HZ : source == 0 ? RING_HZ : 0;
+    chip->ref_hz = source == 2 && crystal_runs(chip) ? CRYSTAL_HZ : source == 0 ? chip->facts.ring_hz : 0;
     const double sys = sys_source(chip) / (chip->sys_divider / 65536.0);
     if (sys <= 0 || chip->ref_hz <= 0) {
         chip_warn(chip, "the cores' clock stops");
@@ -110,6 +114,7 @@ void clocks_reset(struct chip *chip)
     chip->pll[0] = chip->pll[1] = (struct pll){.cs = 1, .power = 0x2d, .post = 0x77000};
     memset(chip->tick, 0, sizeof chip->tick);
     chip->psm_off = 0;
+    facts_reset(chip);
     update(chip);
 }
 
@@ -181,8 +186,16 @@ static void watchdog_bites(struct chip *chip)
     chip_reset(chip);
 }
 
+static bool is_counter(uint32_t offset)
+{
+    return offset >= 0x8c && offset < 0xac;
+}
+
 static uint32_t clock_register(struct chip *chip, uint32_t offset)
 {
+    if (is_counter(offset)) {
+        return counter_read(chip, (offset - 0x8c) / 4);
+    }
     switch (offset) {
     case 0x30:
         return chip->ref_control;
@@ -206,6 +219,10 @@ static uint32_t clock_register(struct chip *chip, uint32_t offset)
 
 static void set_clock(struct chip *chip, uint32_t offset, uint32_t value)
 {
+    if (is_counter(offset)) {
+        counter_write(chip, (offset - 0x8c) / 4, value);
+        return;
+    }
     switch (offset) {
     case 0x30:
         chip->ref_control = value;
@@ -259,9 +276,16 @@ uint32_t clocks_read(struct chip *chip, uint32_t address)
     case TICKS:
         return *tick_register(chip, offset);
     default:
-        chip_warn(chip, "the model has no register %08x", address);
-        return 0;
+        break;
     }
+    if ((address & ~0xfffU) == SYSINFO && offset == 0) {
+        return chip->facts.id;
+    }
+    if ((address & ~0xfffU) == POWMAN && offset == 0x2c) {
+        return chip->facts.reset;
+    }
+    chip_warn(chip, "the model has no register %08x", address);
+    return 0;
 }
 
 /* Puts core 1 into the ROM, or lets it out of reset. */

@@ -12,7 +12,7 @@ static const char help[] =
     "hal/rp2040/emulate/emulate.mjs: --frames N, --events FILE, --report FILE, --cores 1|2, --dc PIN, --select PIN,\n"
     "--press FRAME:PINS, --charge US, --send FRAME:TEXT, --fault FRAME, --calls ADDRESSES, --jump FRAME:N, --delays "
     "SEED,\n"
-    "--free-wire, --free-flash, --limit-ms N.\n"
+    "--chip NAME=N,.., --free-wire, --free-flash, --limit-ms N.\n"
     "The image's UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.\n";
 
 struct by_frame {
@@ -26,11 +26,12 @@ struct list {
 };
 
 static struct {
-    const char *image, *events, *report, *calls;
+    const char *image, *events, *report, *calls, *chip;
     uint32_t frames, cores, dc, seed, limit_ms;
     int32_t select, fault;
     struct list press, send, jump;
-} options = {.events = "-", .frames = 16, .cores = 2, .dc = 64, .select = -1, .fault = -2, .limit_ms = 60000};
+} options = {
+    .events = "-", .chip = "", .frames = 16, .cores = 2, .dc = 64, .select = -1, .fault = -2, .limit_ms = 60000};
 
 static struct chip chip;
 static uint32_t uf2_family; /* of the file; 0: it is no UF2 file */
@@ -274,6 +275,8 @@ static bool set_text(const char *name, const char *value)
         options.report = value;
     } else if (strcmp(name, "--calls") == 0) {
         options.calls = value;
+    } else if (strcmp(name, "--chip") == 0) {
+        options.chip = value;
     } else if (strcmp(name, "--select") == 0) {
         options.select = (int32_t)number(name, value);
     } else if (strcmp(name, "--fault") == 0) {
@@ -437,6 +440,10 @@ int main(int count, char **arguments)
     chip.hooks =
         (struct chip_hooks){NULL, sent_word, word_started, levels_changed, sent_byte, troubled, warned, called};
     chip.seed = options.seed;
+    facts_init(&chip);
+    if (!facts_set(&chip, options.chip)) {
+        fail("--chip: ring, id, reset or reason = N, separated by commas");
+    }
     chip_init(&chip, options.cores, image, bytes);
     set_pins();
     go();
