@@ -77,18 +77,6 @@ dark() { # the backlight, GP20, is off at the end
     [ $((0x$last >> 20 & 1)) = 0 ]
 }
 
-# R on the UART: frames are measured, CRCs are the known ones, and it holds until G.
-reports() {
-    EVENTS_ONLY=1 emulate "$board" 1 22 - --send 1:RG || return 1
-    tr -d '\r' <"$dir/log" >"$dir/report"
-    # shellcheck disable=SC2015 # a failure of any is one
-    grep -qx 'cube 240x135 crc32 E7B4F73C, as known' "$dir/report" && grep -qx 'testcard 240x135 crc32 99FF17F2, as known' "$dir/report" &&
-        grep -qE '^turntable: 16 frames in [1-9][0-9]* ms, [1-9][0-9]*\.[0-9] frames/s, left out 0 triangles 0 vertices$' "$dir/report" &&
-        grep -q "^Pinhole $(sed -n 's/.*PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h) on $board: .*, 1 core\$" "$dir/report" &&
-        grep -qx 'display st7789-135x240, 240x135, turned [0-9]*, bus 62500000 Hz' "$dir/report" && grep -qx 'self-test: passed' "$dir/report" ||
-        { cat "$dir/report" && return 1; }
-}
-
 fault_is_told() {
     emulate "$board" 1 9 - --fault 2 && ended 2 'every core sleeps for ever' && grep -q '^fault at 0x[12]00[0-9a-f]*, called from 0x' "$dir/log" && dark
 }
@@ -206,7 +194,6 @@ check "the_speed_is_that_of_the_paper" speed_is_that_of_the_paper
 check "another_speed_than_that_of_the_paper_is_seen" other_speeds_are_seen
 check "the_stack_stays_below_its_bound" stack_stays_below_its_bound
 check "a_pin_is_a_button" a_pin_is_a_button
-check "R_on_the_UART_writes_a_report" reports
 check "B_on_the_UART_reboots_into_the_boot_loader" boot_loader_on_request
 check "a_button_held_at_power_up_does_so_too" boot_loader_by_a_button
 check "a_fault_is_told_and_the_panel_is_dark" fault_is_told
