@@ -28,4 +28,7 @@ save "$work/demos.ppm"
 B=$B host-sim/demo.sh >"$work/log"
 cp "$B/demo/contact-sheet.ppm" "$work"
 save "$work/contact-sheet.ppm"
+"$B/pinhole-sim" --demo testcard --board pico-display --frames 1 --out "$work/card.ppm"
+convert "$work/card.ppm" -sample '300%' "$work/testcard.ppm"
+save "$work/testcard.ppm"
 du -cb "$to"/*.png

@@ -83,8 +83,8 @@ static void put_tail(self_test_put *put, const struct self_test_machine *machine
     if (result < 0 && machine->why != NULL) {
         put_line(put, "error: ", machine->why(machine->context));
     }
-    put_line(put, "what the glass shows (yes or no): ring round ...  arrow up ...", "");
-    put_line(put, "    first bar red ...  a dot in each corner ...", "");
+    put_line(put, "what the glass shows (yes or no): line on all four edges ...  ring round ...", "");
+    put_line(put, "    arrow up ...  bars red, green, blue, white, grey ...  dots 1 2 3 4 ...", "");
     put_line(put, "---- Pinhole report: to here ----", "");
 }
 

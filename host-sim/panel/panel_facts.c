@@ -44,6 +44,6 @@ void panel_facts(const void *context, self_test_put *put)
     put_device(kit, put);
     if (!kit->drm) {
         put_line(put, "bus asked for %u Hz, SPI mode %u%s", (unsigned)kit->board.spi_hz, (unsigned)kit->board.spi_mode,
-                 kit->usb ? "" : "; the kernel may make it slower and does not tell");
+                 kit->usb ? "" : "; the kernel does not tell what it got");
     }
 }

@@ -111,6 +111,15 @@ told() { # name, status, line...
     return 1
 }
 
+# A report (NAME.out) that can be pasted: every line has less than 80 characters, and these lines are there.
+report_has() { # name, line...
+    local line
+    ended "$1" 0 "" && awk 'length($0) >= 80 { print "too long: " $0; bad = 1 } END { exit bad }' "$guest_out/$1.out" || return 1
+    for line in '---- Pinhole report: copy from here ----' "${@:2}" 'self-test: passed' '---- Pinhole report: to here ----'; do
+        grep -qxF -- "$line" "$guest_out/$1.out" || { echo "no '$line' in" && cat "$guest_out/$1.out"; return 1; }
+    done
+}
+
 # The frames on the wire, first of all what the panel would have resented, are those of pinhole-sim.
 frames_as_sim() { # name, board, rotation, pinhole-sim's option...
     "$B/pinhole-sim" --board "$2" --rotate "$3" --crc "${@:4}" >"$guest_out/$1.expected" &&

@@ -12,6 +12,7 @@ guest_build || exit 1
 usb='
     . tests/guest/panel_in_guest.sh
     guest_usb_rotations 2 "0 270" $usb_boards
+    run_usb usb-report "" report --board ft232h-st7789
     run_usb usb-mode3 "" --board ft232h-st7789 --mode 3 --frames 2
     run_usb usb-diff "" --board ft232h-st7789 --frames 9 --diff on
     usb_plug ft232h --serial ONE --events $GUEST/one.events && one=$usb_device
@@ -40,6 +41,7 @@ tests/guest/guest.sh --icount --timeout 2500 --out "$dir/usb" -- bash -c "$usb" 
     { cat "$dir/usb.log"; exit 1; }
 
 guest_out=$dir/usb
+usb_hz=$(sed -n 's/.*spi_hz = \([0-9]*\).*/\1/p' boards/families/ft232h.h)
 usb_shows_what_changed() {
     ended usb-diff 0 "" || return 1
     "$B/pinhole-sim" --board ft232h-st7789 --frames 9 --out "$dir/sim-usb" &&
@@ -67,6 +69,8 @@ the_serial_number_selects() {
 for board in $usb_boards; do
     check "on $board the wire carries what pinhole-sim draws" rotations_are_as_simulated "$board" "0 270"
 done
+check "a report over USB tells of libusb and the clock" report_has usb-report "device FT232H on USB, libusb $(pkg-config --modversion libusb-1.0)" \
+    "bus asked for $usb_hz Hz, SPI mode 0" 'TE: not wired'
 check "over USB with --diff on the last picture is the simulator's" usb_shows_what_changed
 check "the serial number says which FT232H; without it two are refused" the_serial_number_selects
 check "in SPI mode 3 the wire carries the same, the clock resting high" usb_in_mode_3
