@@ -32,14 +32,14 @@ uint32_t port_stack_used(void);
 enum port_form { PORT_TEXT, PORT_DECIMAL, PORT_HEX };
 
 /* Takes a piece of a line: a text, and a number behind it. "\n" comes alone and ends the line. */
-typedef void port_put(const char *text, uint32_t value, enum port_form form);
+typedef void (*port_put)(const char *text, uint32_t value, enum port_form form);
 
 /*
  * Tells what the chip says of itself, for people's reports, in lines of less than 80 characters: which chip and
  * revision it is, why it started, what its clocks measure against each other ("not measured" is an answer), how its
  * flash is read. The kit is open and nothing is on its bus. It may take 100 ms.
  */
-void port_facts(port_put *put);
+void port_facts(port_put put);
 
 /* Runs `run(argument)` on the other core; false: there is none, or it has not yet returned from the run before.
  * port_core_join waits until it has, and meanwhile runs what that core gives to this one in the same way. */

@@ -126,7 +126,7 @@ uint32_t port_start(void)
 }
 
 /* Bits of RESC add up until somebody clears them. */
-void port_facts(port_put *put)
+void port_facts(port_put put)
 {
     static const char *const reasons[] = {" the reset pin;", " power on;", " brown-out;",
                                           " the watchdog;",  " software;", " the LDO;"};

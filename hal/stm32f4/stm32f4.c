@@ -202,7 +202,7 @@ uint32_t port_start(void)
 }
 
 /* Flags of RCC_CSR (RM0090 6.3.21); they add up until a power-on, so that several may be set. */
-static void put_start(port_put *put)
+static void put_start(port_put put)
 {
     static const struct {
         uint32_t bit;
@@ -221,7 +221,7 @@ static void put_start(port_put *put)
     put("\n", 0, PORT_TEXT);
 }
 
-void port_facts(port_put *put)
+void port_facts(port_put put)
 {
     put("chip STM32F4, id ", IDCODE, PORT_HEX);
     put("\n", 0, PORT_TEXT);

@@ -27,7 +27,7 @@ void port_boot_loader(void)
 {
 }
 
-void port_facts(port_put *put)
+void port_facts(port_put put)
 {
     put("chip: this port does not tell", 0, PORT_TEXT);
     put("\n", 0, PORT_TEXT);
