@@ -55,7 +55,8 @@ enum { BYTES = 7 << 16, WORDS = 31 << 16 | 3 << 8, WORDS_QUAD = 2 << 21 | WORDS 
 
 _Static_assert(RP2040_FLASH_CLK_SYS_HZ == CLK_HZ, "the margins are for another clock than that of clocks.c");
 
-extern uint32_t ld_stack[], ld_once_end[], ld_once_load[]; /* rp2040.ld */
+extern uint32_t ld_stack[], ld_once_end[];
+extern const uint32_t ld_once_load[]; /* rp2040.ld */
 
 ONCE void set_up(uint32_t control, uint32_t read, uint32_t divider, uint32_t delay)
 {
@@ -244,52 +245,56 @@ ONCE void stay(void *waits)
     cpu_interrupts_on();
 }
 
-/* The end of that part of the stack which no call has reached yet and which .once takes. */
-static uint32_t *untouched(void)
+static uint32_t once_words(void)
 {
-    uint32_t *end = ld_stack;
-    while (end < ld_once_end && *end == (uint32_t)(uintptr_t)end) {
-        end++;
+    return ((uint32_t)(uintptr_t)ld_once_end - (uint32_t)(uintptr_t)ld_stack) / sizeof *ld_stack;
+}
+
+/* How many of the words that .once takes no call has reached yet. They hold the paint of entry.S, their own address. */
+static uint32_t untouched(void)
+{
+    uint32_t n = 0;
+    while (n < once_words() && ld_stack[n] == (uint32_t)(uintptr_t)(ld_stack + n)) {
+        n++;
     }
-    return end;
+    return n;
 }
 
 /* Copies .once to the stack's lowest part; false: the stack is too long now. */
 static bool borrow(void)
 {
-    uint32_t here = 0;
-    if ((uintptr_t)&here < (uintptr_t)ld_once_end + STACK_BYTES_ENOUGH) {
+    const uint32_t here = 0, words = once_words();
+    if ((uint32_t)(uintptr_t)&here < (uint32_t)(uintptr_t)ld_once_end + STACK_BYTES_ENOUGH) {
         return false;
     }
-    const uint32_t *from = ld_once_load;
-    for (uint32_t *to = ld_stack; to < ld_once_end; to++) {
-        *to = *from++;
+    for (uint32_t i = 0; i < words; i++) {
+        ld_stack[i] = ld_once_load[i];
     }
     __asm volatile("dsb\n isb" ::: "memory");
     return true;
 }
 
-/* port_stack_used() needs the paint of entry.S. */
-static void give_back(uint32_t *end)
+/* Paints the first words of the stack again, for port_stack_used(). */
+static void give_back(uint32_t words)
 {
-    for (uint32_t *at = ld_stack; at < end; at++) {
-        *at = (uint32_t)(uintptr_t)at;
+    for (uint32_t i = 0; i < words; i++) {
+        ld_stack[i] = (uint32_t)(uintptr_t)(ld_stack + i);
     }
 }
 
 void rp2040_flash_open(void)
 {
-    uint32_t *const end = untouched();
+    const uint32_t clean = untouched();
     if (borrow()) {
         open_flash(board_here->flash);
-        give_back(end);
+        give_back(clean);
     }
 }
 
 void rp2040_flash_measure(struct rp2040_flash_facts *facts)
 {
     *facts = (struct rp2040_flash_facts){0};
-    uint32_t *const end = untouched();
+    const uint32_t clean = untouched();
     if (borrow()) {
         uint32_t waits = 1;
         port_core_join();
@@ -301,6 +306,6 @@ void rp2040_flash_measure(struct rp2040_flash_facts *facts)
         cpu_interrupts_on();
         *(volatile uint32_t *)&waits = 0;
         port_core_join();
-        give_back(end);
+        give_back(clean);
     }
 }

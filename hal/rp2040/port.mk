@@ -2,7 +2,7 @@
 PORT_CPU = armv6m
 PORT_FLAGS = -mcpu=cortex-m0plus -mthumb
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
-           $(addprefix hal/rp2040/,start.c guard.c clocks.c facts.c flash.c rp2040.c spi.c pins.c uart.c divide.c boot2.S vectors.S entry.S) firmware/bare/armv6m/memory.S
+           $(addprefix hal/rp2040/,start.c guard.c clocks.c rp2040.c spi.c pins.c uart.c divide.c flash.c facts.c boot2.S vectors.S entry.S) firmware/bare/armv6m/memory.S
 PORT_CORES = 1 2
 PORT_RAM_CODES = small
 PORT_INFO = hal/rp2040/binary_info.c
