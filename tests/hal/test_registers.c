@@ -12,7 +12,9 @@
 #include "registers/registers.h"
 
 enum { UNIT = 0x40000000, CONTROL = UNIT, SET_UP = UNIT + 4, STATUS = UNIT + 8, DATA = UNIT + 12, LIST = UNIT + 0x20 };
-enum { OTHER = 0x50000000, OWN = 0xd0000000, RESULT = OWN + 4, RESET = 0x60000000, DONE = RESET + 4 };
+enum { OTHER = 0x50000000, RESET = 0x60000000, DONE = RESET + 4 };
+#define OWN    0xd0000000
+#define RESULT (OWN + 4)
 enum { TOGGLE = 0x1000, SET = 0x2000, CLEAR = 0x3000 };
 
 static const struct register_field bit0[] = {{"ON", 0, 1, 0, 1, "on"}};

@@ -43,11 +43,11 @@ install_rp2040js() {
 }
 if [ "${CHIP-}" = rp2350 ]; then
     emulator=("$B/rp2350-emulate")
-    make -s B="$B" "${emulator[@]}" >&2
+    env -u BOARD make -s B="$B" "${emulator[@]}" >&2
 else
     install_rp2040js
     emulator=(node "$here/emulate.mjs" --modules "$modules/node_modules")
-    make -s B="$B" "$B/rp2040-registers" >&2
+    env -u BOARD make -s B="$B" "$B/rp2040-registers" >&2
 fi
 [ "$1" != --install ] || exit 0
 elf=$1 out=$2 frames=$3
