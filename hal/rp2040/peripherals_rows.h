@@ -69,7 +69,41 @@ static const struct register_when clk_peri_when[] = {
     CLK_PERI_NEEDS,
 };
 
+/* The frequency counter: a write to SRC starts it. */
+#define FC0_SRC    (CLOCKS_BASE + FC0 + 0x14)
+#define FC0_STATUS (CLOCKS_BASE + FC0 + 0x18)
+static const struct register_field fc0_ref_fields[] = {{"REF_KHZ", 0, 20, 12000, 12000, "clk_ref is the crystal"}};
+static const struct register_field fc0_interval_fields[] = {{"INTERVAL", 0, 4, 0, 15, "counts for 2^INTERVAL us"}};
+static const struct register_field fc0_src_fields[] = {
+    {"SRC", 0, 8, 0, 0, "stops"},
+    {"SRC", 0, 8, 3, 3, "the ring oscillator"},
+    {"SRC", 0, 8, 5, 5, "the crystal"},
+    {"SRC", 0, 8, 9, 10, "clk_sys, clk_peri"},
+};
+static const struct register_when fc0_idle_when[] = {
+    {SEEN(FC0_STATUS, 1 << 8, 0), SINCE(FC0_SRC, 0), .why = "it may count: RUNNING was not seen to be 0"},
+};
+static const struct register_when fc0_src_when[] = {
+    {.sets = 0xff, SEEN(FC0_STATUS, 1 << 8, 0), SINCE(FC0_SRC, 0), .why = "it may count: RUNNING was not seen to be 0"},
+    {.sets = 0xff, AT_LEAST(CLOCKS_BASE + FC0, 0xfffff, 1), .why = "REF_KHZ has not been set"},
+    {.sets = 0xff, REF_IS_CRYSTAL},
+};
+
+#define FC0_ROWS                                                                                                        \
+    {                                                                                                                   \
+        "FC0_REF_KHZ",       FC0, .start = 0, REGISTER_LIST(fc0_ref_fields), REGISTER_LIST(fc0_idle_when),              \
+        S("2.15.6.2", "8.1")},                                                                                          \
+        {"FC0_INTERVAL",      FC0 + 0x10, .start = 8, REGISTER_LIST(fc0_interval_fields), REGISTER_LIST(fc0_idle_when), \
+         S("2.15.6.2", "8.1")},                                                                                         \
+        {"FC0_SRC",           FC0 + 0x14, .start = 0, REGISTER_LIST(fc0_src_fields), REGISTER_LIST(fc0_src_when),       \
+         S("2.15.6.2", "8.1")},                                                                                         \
+        {"FC0_STATUS", FC0 + 0x18, .kind = REGISTER_STATUS, .source = S("2.15.6.2", "8.1")},                            \
+    {                                                                                                                   \
+        "FC0_RESULT", FC0 + 0x1c, .kind = REGISTER_STATUS, .source = S("2.15.6.2", "8.1")                               \
+    }
+
 static const struct register_row clocks_rows[] = {
+    FC0_ROWS,
     {"CLK_REF_CTRL", 0x30, .start = 0, REGISTER_LIST(clk_ref_fields), REGISTER_LIST(clk_ref_when), S("2.15.3", "8.1")},
     {"CLK_REF_SELECTED", 0x38, .kind = REGISTER_STATUS, .source = S("2.15.3", "8.1")},
     {"CLK_SYS_CTRL", 0x3c, .start = CLK_SYS_AT_START, REGISTER_LIST(clk_sys_fields), REGISTER_LIST(clk_sys_when),
@@ -210,6 +244,16 @@ static const struct register_row timer_rows[] = {
     {"TIMERAWL", 0x28, .kind = REGISTER_STATUS, .source = S("4.6.5", "12.8")},
     {"INTR", TIMER_INTR, .kind = REGISTER_COMMAND, .start = 0, REGISTER_LIST(bit_fields), .source = S("4.6.5", "12.8")},
     {"INTE", TIMER_INTE, .start = 0, REGISTER_LIST(bit_fields), .source = S("4.6.5", "12.8")},
+};
+
+/* ---- what the chip says of itself -------------------------------------------------------------------------------- */
+
+static const struct register_when sysinfo_when[] = {OUT_OF_RESET(RESET_SYSINFO)};
+static const struct register_row sysinfo_rows[] = {
+    {"CHIP_ID", 0x00, .kind = REGISTER_STATUS, .source = S("2.20", "12.15")},
+};
+static const struct register_row chip_reset_rows[] = {
+    {"CHIP_RESET", CHIP_RESET, .kind = REGISTER_STATUS, .source = S("2.10", "6.4")},
 };
 
 /* ---- pins -------------------------------------------------------------------------------------------------------- */

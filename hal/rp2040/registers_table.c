@@ -4,6 +4,7 @@
  */
 #define S(rp2040, rp2350) rp2040
 
+#define SYSINFO_BASE    0x40000000
 #define CLOCKS_BASE     0x40008000
 #define RESETS_BASE     0x4000c000
 #define PSM_BASE        0x40010000
@@ -16,6 +17,7 @@
 #define SPI_BASE(unit)  ((unit) == 0 ? 0x4003c000U : 0x40040000U)
 #define TIMER_BASE      0x40054000
 #define WATCHDOG_BASE   0x40058000
+#define VREG_BASE       0x40064000
 #define SSI_BASE        0x18000000
 
 #include "rp2040/rows.h"
@@ -31,7 +33,7 @@
 
 /* Offsets. */
 enum { SIO_GPIO_OUT_SET = 0x14, SIO_GPIO_OUT_CLR = 0x18, SIO_GPIO_OE_SET = 0x24, SIO_GPIO_OE_CLR = 0x28 };
-enum { IO_BANK0_INTR = 0xf0, TIMER_INTR = 0x34, TIMER_INTE = 0x38 };
+enum { IO_BANK0_INTR = 0xf0, TIMER_INTR = 0x34, TIMER_INTE = 0x38, FC0 = 0x80, CHIP_RESET = 0x08 };
 
 #define RESET_DMA        (1U << 2)
 #define RESET_IO_BANK0   (1U << 5)
@@ -39,13 +41,14 @@ enum { IO_BANK0_INTR = 0xf0, TIMER_INTR = 0x34, TIMER_INTE = 0x38 };
 #define RESET_PLL_SYS    (1U << 12)
 #define RESET_SPI0       (1U << 16)
 #define RESET_SPI1       (1U << 17)
+#define RESET_SYSINFO    (1U << 19)
 #define RESET_TIMER      (1U << 21)
 #define RESET_UART0      (1U << 22)
 
 #define PSM_ALL_BUT_OSCILLATORS 0x1fffc /* ROSC is bit 0, XOSC bit 1 */
 
-/* The ROM has taken the flash's pins out of reset (2.7, 2.8.1). */
-#define RESETS_AT_START  (0x1ffffff & ~(1 << 6 | 1 << 9))
+/* The ROM has taken the timer, the pads and the flash's pins out of reset (pico-bootrom-rp2040, bootrom_main.c). */
+#define RESETS_AT_START  (0x1ffffff & ~(RESET_TIMER | RESET_PADS_BANK0 | 1 << 6 | 1 << 9))
 #define CLK_SYS_AT_START 0
 #define PAD_AT_START     0x56
 #define PSM_PROC1_AT     16
@@ -56,7 +59,7 @@ enum { IO_BANK0_INTR = 0xf0, TIMER_INTR = 0x34, TIMER_INTE = 0x38 };
 static const struct register_field resets_fields[] = {
     {"DMA", 2, 1, 0, 1, "in reset"},      {"IO_BANK0", 5, 1, 0, 1, "in reset"}, {"PADS_BANK0", 8, 1, 0, 1, "in reset"},
     {"PLL_SYS", 12, 1, 0, 1, "in reset"}, {"SPI0", 16, 1, 0, 1, "in reset"},    {"SPI1", 17, 1, 0, 1, "in reset"},
-    {"TIMER", 21, 1, 0, 1, "in reset"},   {"UART0", 22, 1, 0, 1, "in reset"},
+    {"SYSINFO", 19, 1, 0, 1, "in reset"}, {"TIMER", 21, 1, 0, 1, "in reset"},   {"UART0", 22, 1, 0, 1, "in reset"},
 };
 static const struct register_field clk_sys_fields[] = {
     {"SRC", 0, 1, 0, 1, "clk_ref, the auxiliary source"},
@@ -222,6 +225,8 @@ static const struct register_block blocks[] = {
      REGISTER_LIST(io_bank0_when)},
     {"PADS_BANK0", PADS_BANK0_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(pads_rows), REGISTER_LIST(pads_when)},
     {"PADS_QSPI", PADS_QSPI_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(pads_qspi_rows)},
+    {"SYSINFO", SYSINFO_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(sysinfo_rows), REGISTER_LIST(sysinfo_when)},
+    {"VREG_AND_CHIP_RESET", VREG_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(chip_reset_rows)},
     {"SSI", SSI_BASE, 0x100, .per_core = false, REGISTER_LIST(ssi_rows)},
     {"PPB", PPB_BASE, 0x1000, .per_core = true, REGISTER_LIST(ppb_rows)},
 };

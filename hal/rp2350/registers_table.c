@@ -4,6 +4,7 @@
  */
 #define S(rp2040, rp2350) rp2350
 
+#define SYSINFO_BASE    0x40000000
 #define CLOCKS_BASE     0x40010000
 #define PSM_BASE        0x40018000
 #define RESETS_BASE     0x40020000
@@ -18,6 +19,7 @@
 #define TIMER_BASE      0x400b0000
 #define QMI_BASE        0x400d0000
 #define WATCHDOG_BASE   0x400d8000
+#define POWMAN_BASE     0x40100000
 #define TICKS_BASE      0x40108000
 
 #include "rp2040/rows.h"
@@ -32,7 +34,7 @@
 
 /* Offsets. */
 enum { SIO_GPIO_OUT_SET = 0x18, SIO_GPIO_OUT_CLR = 0x20, SIO_GPIO_OE_SET = 0x38, SIO_GPIO_OE_CLR = 0x40 };
-enum { IO_BANK0_INTR = 0x230, TIMER_INTR = 0x3c, TIMER_INTE = 0x40 };
+enum { IO_BANK0_INTR = 0x230, TIMER_INTR = 0x3c, TIMER_INTE = 0x40, FC0 = 0x8c, CHIP_RESET = 0x2c };
 
 #define RESET_DMA        (1U << 2)
 #define RESET_IO_BANK0   (1U << 6)
@@ -41,6 +43,7 @@ enum { IO_BANK0_INTR = 0x230, TIMER_INTR = 0x3c, TIMER_INTE = 0x40 };
 #define RESET_PLL_USB    (1U << 15)
 #define RESET_SPI0       (1U << 18)
 #define RESET_SPI1       (1U << 19)
+#define RESET_SYSINFO    (1U << 21)
 #define RESET_TIMER      (1U << 23)
 #define RESET_UART0      (1U << 26)
 
@@ -58,7 +61,8 @@ enum { IO_BANK0_INTR = 0x230, TIMER_INTR = 0x3c, TIMER_INTE = 0x40 };
 static const struct register_field resets_fields[] = {
     {"DMA", 2, 1, 0, 1, "in reset"},      {"IO_BANK0", 6, 1, 0, 1, "in reset"}, {"PADS_BANK0", 9, 1, 0, 1, "in reset"},
     {"PLL_SYS", 14, 1, 0, 1, "in reset"}, {"PLL_USB", 15, 1, 0, 1, "in reset"}, {"SPI0", 18, 1, 0, 1, "in reset"},
-    {"SPI1", 19, 1, 0, 1, "in reset"},    {"TIMER0", 23, 1, 0, 1, "in reset"},  {"UART0", 26, 1, 0, 1, "in reset"},
+    {"SPI1", 19, 1, 0, 1, "in reset"},      {"SYSINFO", 21, 1, 0, 1, "in reset"},
+       {"TIMER0", 23, 1, 0, 1, "in reset"},  {"UART0", 26, 1, 0, 1, "in reset"},
 };
 static const struct register_field clk_sys_fields[] = {
     {"SRC", 0, 1, 0, 1, "clk_ref, the auxiliary source"},
@@ -238,6 +242,8 @@ static const struct register_block blocks[] = {
     {"PADS_BANK0", PADS_BANK0_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(pads_rows), REGISTER_LIST(pads_when)},
     {"PADS_QSPI", PADS_QSPI_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(pads_qspi_rows)},
     {"QMI", QMI_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(qmi_rows)},
+    {"SYSINFO", SYSINFO_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(sysinfo_rows), REGISTER_LIST(sysinfo_when)},
+    {"POWMAN", POWMAN_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(chip_reset_rows)},
     {"PPB", PPB_BASE, 0x1000, .per_core = true, REGISTER_LIST(ppb_rows)},
 };
 
