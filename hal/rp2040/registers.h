@@ -33,6 +33,7 @@ enum {
     RESET_PLL_SYS = 1 << 12,
     RESET_SPI0 = 1 << 16,
     RESET_SPI1 = 1 << 17,
+    RESET_SYSINFO = 1 << 19,
     RESET_TIMER = 1 << 21,
     RESET_UART0 = 1 << 22,
 };

@@ -35,6 +35,7 @@ enum {
     RESET_PLL_USB = 1 << 15,
     RESET_SPI0 = 1 << 18,
     RESET_SPI1 = 1 << 19,
+    RESET_SYSINFO = 1 << 21,
     RESET_TIMER = 1 << 23,
     RESET_UART0 = 1 << 26,
 };
