@@ -116,7 +116,7 @@ static void consider(const uint8_t *flash, const struct rom_block *block, struct
 /* The last link leads back to the first block. */
 static const char *read_loop(const uint8_t *flash, struct choice *choice)
 {
-    struct rom_block block;
+    struct rom_block block = {.at = 0};
     const char *wrong = find_first(flash, &block);
     const uint32_t first = block.at;
     for (uint32_t count = 0; wrong == NULL; count++) {
