@@ -40,7 +40,8 @@
 #define GPIO_PUR   0x510
 #define GPIO_DEN   0x51C
 
-#define CLOCK_HZ SPI_CLOCK_LM3S6965_HZ
+#define CLOCK_HZ      SPI_CLOCK_LM3S6965_HZ
+#define CRYSTAL_READS 262144U /* 131 ms, if a read and its loop take 6 clocks of 12 MHz */
 
 #define CARD_SELECT BOARD_PORT('D', 0) /* the SD card's chip select, on the same bus; it must be high */
 
@@ -89,14 +90,20 @@ static void gpio_function(uint32_t pin)
 
 /* ---- start, log ------------------------------------------------------------------------------------- */
 
-/* An 8 MHz crystal and the PLL give 200 MHz / 4. */
+/*
+ * An 8 MHz crystal and the PLL give 200 MHz / 4. After a reset the main oscillator is off. It is given the time to
+ * start that StellarisWare's SysCtlClockSet gives it; the chip runs on its internal oscillator meanwhile.
+ */
 static void start_clock(void)
 {
-    const uint32_t bypass = 1U << 11, use_divider = 1U << 22, fields = 15U << 23 | 1U << 13 | 15U << 6 | 3U << 4 | 3U;
-    RCC = (RCC | bypass) & ~use_divider;
-    RCC = (RCC & ~fields) | 3U << 23 | 14U << 6 |
-          2U; /* the main oscillator and the PLL are on, the internal oscillator is off */
-    RCC |= use_divider;
+    const uint32_t bypass = 1U << 11, use_divider = 1U << 22, oscillators = 3U << 4 | 3U, internal = 1U << 4;
+    const uint32_t fields = 15U << 23 | 1U << 13 | 15U << 6 | 3U << 4;
+    RCC = (RCC & ~(use_divider | oscillators)) | bypass | internal; /* both oscillators run */
+    for (uint32_t i = 0; i < CRYSTAL_READS; i++) {
+        (void)RIS;
+    }
+    RCC = (RCC & ~fields) | 3U << 23 | 14U << 6;               /* the main oscillator is the clock, the PLL is on */
+    RCC |= use_divider | 2U;                                   /* the internal oscillator is off */
     for (uint32_t i = 0; i < 100000 && (RIS & 64) == 0; i++) { /* the PLL locks within 0.5 ms */
     }
     RCC &= ~bypass;
@@ -190,36 +197,6 @@ static void open_buttons(void)
     kit.stuck = buttons_down();
 }
 
-static int lm3s6965_open(void *context, const struct board *board)
-{
-    const struct board_pins *pins = &board->pins;
-    (void)context;
-    kit.board = board;
-    gpio_output(CARD_SELECT, true);
-    gpio_output(pins->select.number, !pins->select.active_low);
-    gpio_output(pins->dc.number, false);
-    gpio_function(pins->clock.number);
-    gpio_function(pins->data.number);
-    SSI_CR1 = 0;
-    SSI_CR0 = board->spi_mode == 3 ? 0xC7 : 0x07; /* 8 bits, Freescale format */
-    SSI_CPSR = 254;
-    SSI_CR1 = 2; /* on */
-    open_buttons();
-    return HAL_OK;
-}
-
-static int32_t lm3s6965_bus_clock(void *context, uint32_t hz)
-{
-    const struct spi_clock_pl022 clock = spi_clock_pl022(CLOCK_HZ, hz);
-    (void)context;
-    if (clock.hz == 0) {
-        return HAL_EINVAL;
-    }
-    SSI_CPSR = clock.prescaler;
-    SSI_CR0 = (SSI_CR0 & 0xFF) | clock.scr << 8;
-    return (int32_t)clock.hz;
-}
-
 /* Reads what came in and drops it: a transmitter may stop when the receive FIFO is full (QEMU's does). */
 static void drain(void)
 {
@@ -238,6 +215,26 @@ static int lm3s6965_bus_wait(void *context)
     return HAL_OK;
 }
 
+/* The data sheet wants SSE 0 for every change (Synchronous Serial Interface, Initialization and Configuration). */
+static void set_clock(uint32_t prescaler, uint32_t control)
+{
+    SSI_CR1 = 0;
+    SSI_CPSR = prescaler;
+    SSI_CR0 = control;
+    SSI_CR1 = 2; /* on, master */
+}
+
+static int32_t lm3s6965_bus_clock(void *context, uint32_t hz)
+{
+    const struct spi_clock_pl022 clock = spi_clock_pl022(CLOCK_HZ, hz);
+    if (clock.hz == 0) {
+        return HAL_EINVAL;
+    }
+    lm3s6965_bus_wait(context);
+    set_clock(clock.prescaler, (SSI_CR0 & 0xFF) | clock.scr << 8);
+    return (int32_t)clock.hz;
+}
+
 static int lm3s6965_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     lm3s6965_bus_wait(context); /* D/C may move now */
@@ -249,6 +246,21 @@ static int lm3s6965_bus_write(void *context, enum hal_dc dc, const uint8_t *byte
         SSI_DR = bytes[i];
         drain();
     }
+    return HAL_OK;
+}
+
+static int lm3s6965_open(void *context, const struct board *board)
+{
+    const struct board_pins *pins = &board->pins;
+    (void)context;
+    kit.board = board;
+    gpio_output(CARD_SELECT, true);
+    gpio_output(pins->select.number, !pins->select.active_low);
+    gpio_output(pins->dc.number, false);
+    gpio_function(pins->clock.number);
+    gpio_function(pins->data.number);
+    set_clock(254, board->spi_mode == 3 ? 0xC7 : 0x07); /* 8 bits, Freescale format */
+    open_buttons();
     return HAL_OK;
 }
 
@@ -271,7 +283,7 @@ static uint32_t lm3s6965_buttons(void *context)
 
 static void lm3s6965_close(void *context)
 {
-    (void)context;
+    lm3s6965_bus_wait(context);
     gpio_write(kit.board->pins.select.number, kit.board->pins.select.active_low);
     SSI_CR1 = 0;
 }
