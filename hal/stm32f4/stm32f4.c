@@ -23,6 +23,8 @@
 #define MPU_CTRL    REG32(0xE000ED94)
 #define IDCODE      REG32(0xE0042000) /* of DBGMCU, RM0090 38.6.1 */
 
+#define PLLCFGR_KEPT (2U << 28) /* a reserved field, which must stay as a reset leaves it */
+
 #define GPIO_MODER   0x00
 #define GPIO_OSPEEDR 0x08
 #define GPIO_PUPDR   0x0C
@@ -134,13 +136,14 @@ void port_boot_loader(void)
 }
 
 /* Maps the boot loader's memory to 0, where its vectors must be, and removes the guard from the RAM that it uses
- * (AN2606). */
+ * (AN2606). The chip's errata sheet wants two clocks after RCC turns a unit on. */
 static void enter_boot_loader(void)
 {
     const volatile uint32_t *vectors = (const uint32_t *)BOOT_LOADER; /* NOLINT: an address of the memory map */
     boot_wish = 0;
     MPU_CTRL = 0;
     RCC_APB2ENR |= 1U << 14; /* SYSCFG */
+    (void)RCC_APB2ENR;
     (void)RCC_APB2ENR;
     MEMRMP = 1;
     /* NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): the assembly reads them */
@@ -172,12 +175,14 @@ static void start_clock(void)
     if (!ready(1U << 17)) {
         return;
     }
-    RCC_PLLCFGR = 7U << 24 | 1U << 22 | 336U << 6 | 12U;
+    RCC_PLLCFGR = PLLCFGR_KEPT | 7U << 24 | 1U << 22 | 336U << 6 | 12U;
     RCC_CR |= 1U << 24;
     if (!ready(1U << 25)) {
         return;
     }
-    FLASH_ACR = 0x705; /* 5 wait states, prefetch, both caches */
+    FLASH_ACR = 0x705;             /* 5 wait states, prefetch, both caches */
+    while ((FLASH_ACR & 7) != 5) { /* the clock may rise when they are in force */
+    }
     RCC_CFGR = 4U << 13 | 5U << 10 | 2U;
     while ((RCC_CFGR >> 2 & 3) != 2) {
     }
@@ -193,7 +198,8 @@ uint32_t port_start(void)
     start_clock();
     RCC_AHB1ENR |= 0x1FU | 1U << 21;    /* ports A .. E, DMA1 */
     RCC_APB1ENR |= 1U << 14 | 1U << 18; /* SPI2, USART3 */
-    (void)RCC_APB1ENR;                  /* the first access must come two clocks later */
+    (void)RCC_AHB1ENR;                  /* the first access must come some clocks of the unit's bus later */
+    (void)RCC_APB1ENR;
     gpio_function(BOARD_PORT('B', 10), AF_USART);
     gpio_function(BOARD_PORT('B', 11), AF_USART);
     USART_BRR = (kit.apb1_hz + BAUD / 2) / BAUD;
@@ -248,15 +254,24 @@ int port_log_read(void)
 
 /* ---- the bus ---------------------------------------------------------------------------------------- */
 
+/* A stream takes a new set-up when EN reads 0; it first ends what it moves (RM0090, 10.3.17). */
+static void dma_stop(void)
+{
+    DMA_CR &= ~DMA_EN;
+    while ((DMA_CR & DMA_EN) != 0) {
+    }
+}
+
 static bool dma_is_there(void)
 {
-    DMA_CR = 0;
+    dma_stop();
     DMA_NDTR = 1;
     return DMA_NDTR == 1;
 }
 
 static void dma_start(const uint8_t *bytes, size_t n)
 {
+    dma_stop();
     DMA_HIFCR = DMA_FLAGS;
     DMA_PAR = (uint32_t)&SPI_DR;
     DMA_M0AR = (uint32_t)bytes;
@@ -338,7 +353,7 @@ static int32_t stm32f4_bus_clock(void *context, uint32_t hz)
 
 void port_bus_stop(void)
 {
-    DMA_CR = 0;
+    dma_stop();
     SPI_CR2 = 0;
     kit.under_way = kit.dma = false;
     if (kit.board == NULL) { /* not open yet; bus_write will need the board's pins */
