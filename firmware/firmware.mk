@@ -39,6 +39,8 @@
 #                     looks for a scene there
 #   PORT_FINISH       optional: a shell command between linking and objcopy, e.g. for a checksum; "$1" is the ELF file
 #   UF2_FAMILY        the number of the chip's family; empty: no UF2 file. UF2_BASE: the address of the BIN's first byte
+#   UF2_APP_BASE      optional: where the boot loader that takes the UF2 file starts images, if it lies in the same flash. Then the UF2 file is
+#                     of a second link, at that address (the linker script gets it as the symbol flash_base); ELF and BIN begin at UF2_BASE
 #   EMULATE           the command of `make emulate`; its arguments are the ELF, an empty folder for frames, and FRAMES
 #   EMULATE_NEEDS     what is made for it first, on the computer
 #   SPEED             optional: the command of `make speed`
@@ -92,6 +94,7 @@ SCENE_NAME := $(basename $(notdir $(SCENE)))
 IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)$(IMAGE_RAM)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
 SCENE_C := $(if $(SCENE),$(IMAGE).scene.c)
+IMAGE_FLASH_BYTES = $(CHIP_FLASH_BYTES)$(if $(UF2_APP_BASE), - ($(UF2_APP_BASE) - $(UF2_BASE)))# an image fits wherever it begins
 BOARD_SYMBOL := board_$(subst -,_,$(BOARD))
 
 # FORCE, because BOARD and BOARD_DIR may be others than last time.
@@ -117,7 +120,7 @@ ifneq ($(if $(OUT),,$(SCENE_C)),)
 $(SCENE_C): $(B)/pinhole-asset FORCE
 	@mkdir -p $(@D)
 	$(SAY) ASSET '$(SCENE)'
-	$(Q)$(B)/pinhole-asset '$(SCENE)' --out '$(@:.c=.new.c)' --board $(BOARD) --flash "$$(($(CHIP_FLASH_BYTES) - $(SCENE_PROGRAM_BYTES)))" \
+	$(Q)$(B)/pinhole-asset '$(SCENE)' --out '$(@:.c=.new.c)' --board $(BOARD) --flash "$$(($(IMAGE_FLASH_BYTES) - $(SCENE_PROGRAM_BYTES)))" \
 	    --max-triangles $(SCENE_TRIANGLES) --texture-size $(SCENE_TEXTURE) $(SCENE_FLAGS)
 	@if cmp -s '$(@:.c=.new.c)' '$@'; then rm '$(@:.c=.new.c)'; else mv '$(@:.c=.new.c)' '$@'; fi
 endif
@@ -140,7 +143,7 @@ IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAM
 LD_SEARCH := -L hal/$(PORT) -L hal/$(PORT)/$(RAM_CODE) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
-	$(Q)CROSS='$(CROSS)' firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($$($(B)/board-facts ram_bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
+	$(Q)CROSS='$(CROSS)' firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash="$$(($(IMAGE_FLASH_BYTES)))" ram="$$(($$($(B)/board-facts ram_bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
 	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)' || { rm -f '$(OUT).bin' '$(OUT).uf2'; exit 1; } # so that nobody flashes it
 
 image-size: $(OUT).elf
@@ -178,23 +181,24 @@ $(PORT_INFO:%.c=$(B)/%.o): private override CPPFLAGS += -include $(B)/image_info
 $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@
 
-$(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/$(RAM_CODE)/*.ld)
+UF2_ELF := $(if $(UF2_APP_BASE),$(B)/uf2-$(notdir $(OUT)).elf,$(OUT).elf)
+$(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/$(RAM_CODE)/*.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
-	$(Q)firmware/tools/link.sh '$@' '$(OUT).map' $(CC) $(CFLAGS) -nostartfiles $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \
-	    -Wl,--defsym=stack_bytes=$(PORT_STACK_BYTES) $(IMAGE_OBJ) $(or $(PORT_LIBS),--specs=nano.specs)
+	$(Q)firmware/tools/link.sh '$@' '$(@:.elf=.map)' $(CC) $(CFLAGS) -nostartfiles $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \
+	    -Wl,--defsym=stack_bytes=$(PORT_STACK_BYTES),--defsym=flash_base=$(or $(if $(filter $(OUT).elf,$@),$(UF2_BASE),$(UF2_APP_BASE)),0) $(IMAGE_OBJ) $(or $(PORT_LIBS),--specs=nano.specs)
 	$(Q)$(if $(PORT_FINISH),set -- '$@.part'; $(PORT_FINISH))
 	$(Q)mv $@.part $@
 
-$(OUT).bin: $(OUT).elf
+$(sort $(OUT).bin $(UF2_ELF:.elf=.bin)): %.bin: %.elf
 	$(Q)$(CROSS)objcopy -O binary $< $@
 
 $(B)/image-uf2: firmware/tools/image_uf2.c
 	@mkdir -p $(@D)
 	$(Q)$(HOSTCC) -O2 -o $@ $<
 
-$(OUT).uf2: $(OUT).bin $(B)/image-uf2
-	$(Q)$(B)/image-uf2 '$(UF2_FAMILY)' '$(UF2_BASE)' $< $@
+$(OUT).uf2: $(UF2_ELF:.elf=.bin) $(B)/image-uf2
+	$(Q)$(B)/image-uf2 '$(UF2_FAMILY)' '$(or $(UF2_APP_BASE),$(UF2_BASE))' $< $@
 
 -include $(IMAGE_OBJ:.o=.d)
 endif

@@ -9,6 +9,7 @@
 #define SYST_RVR REG32(0xE000E014)
 #define SYST_CVR REG32(0xE000E018)
 #define ICSR     REG32(0xE000ED04)
+#define VTOR     REG32(0xE000ED08)
 #define CFSR     REG32(0xE000ED28)
 #define BFAR     REG32(0xE000ED38)
 #define SHCSR    REG32(0xE000ED24)
@@ -27,6 +28,10 @@ extern uint32_t ld_data_start[], ld_data_end[], ld_data_load[], ld_bss_start[], 
 int main(void);
 void cortexm_start(void);                                            /* for sections.ld */
 void cortexm_fault_report(uint32_t pc, uint32_t lr, uint32_t saved); /* for on_fault */
+
+#define SYSTEM_VECTORS 16
+typedef void handler(void);
+static handler *const vectors[SYSTEM_VECTORS];
 
 static struct {
     uint32_t tick_us_at; /* time at the last tick */
@@ -113,8 +118,10 @@ uint32_t port_stack_used(void)
     return 4 * (words - unused);
 }
 
+/* A boot loader before the image may have left its own vectors in VTOR. */
 void cortexm_start(void)
 {
+    VTOR = (uint32_t)(uintptr_t)vectors;
     const uint32_t words = words_between(ld_data_start, ld_data_end);
     for (uint32_t i = 0; i < words; i++) {
         ld_data_start[i] = ld_data_load[i];
@@ -209,9 +216,6 @@ __attribute__((naked)) static void on_fault(void)
                      "mov sp, r3\n"
                      "b cortexm_fault_report\n");
 }
-
-#define SYSTEM_VECTORS 16
-typedef void handler(void);
 
 __attribute__((section(".vectors"), used)) static handler *const vectors[SYSTEM_VECTORS] = {
     (handler *)ld_stack_top,

@@ -19,6 +19,7 @@
 #define RCC_CSR     REG32(0x40023874)
 #define FLASH_ACR   REG32(0x40023C00)
 #define MEMRMP      REG32(0x40013800) /* in SYSCFG */
+#define VTOR        REG32(0xE000ED08)
 #define AIRCR       REG32(0xE000ED0C)
 #define MPU_CTRL    REG32(0xE000ED94)
 #define IDCODE      REG32(0xE0042000) /* of DBGMCU, RM0090 38.6.1 */
@@ -141,6 +142,7 @@ static void enter_boot_loader(void)
 {
     const volatile uint32_t *vectors = (const uint32_t *)BOOT_LOADER; /* NOLINT: an address of the memory map */
     boot_wish = 0;
+    VTOR = 0;
     MPU_CTRL = 0;
     RCC_APB2ENR |= 1U << 14; /* SYSCFG */
     (void)RCC_APB2ENR;

@@ -22,7 +22,7 @@ builds_and_says_what_it_takes() {
     firmware BOARD="$board" >"$dir/said" || { cat "$dir/said" && return 1; }
     for kind in elf bin uf2 map; do [ -s "$image.$kind" ] || { echo "no $kind" && return 1; }; done
     cat "$dir/said"
-    grep -Eq '^flash +[0-9]+ of 1048576 bytes' "$dir/said" && grep -Eq '^RAM +[0-9]+ of +114688 bytes' "$dir/said" &&
+    grep -Eq '^flash +[0-9]+ of 983040 bytes' "$dir/said" && grep -Eq '^RAM +[0-9]+ of +114688 bytes' "$dir/said" &&
         grep -Eq '^stack +[0-9]+ of +[0-9]+ bytes' "$dir/said"
 }
 
