@@ -289,6 +289,12 @@ const char *registers_read(struct registers *r, uint32_t core, uint64_t time_ns,
     return why != NULL ? object(r, &place, address, "reads", value, why) : NULL;
 }
 
+uint32_t registers_value(struct registers *r, uint32_t core, uint32_t address)
+{
+    const struct cell *cell = cell_at(r, core, address);
+    return cell != NULL ? cell->value : 0;
+}
+
 void registers_restart(struct registers *r)
 {
     memset(r->cells, 0, (size_t)r->cores * r->cell_count * sizeof r->cells[0]);

@@ -85,7 +85,7 @@ struct register_chip {
 #define REGISTER_LIST(list) (list), sizeof(list) / sizeof *(list)
 
 /* hal/CHIP/registers_table.c */
-extern const struct register_chip registers_rp2040, registers_rp2350;
+extern const struct register_chip registers_rp2040, registers_rp2350, registers_stm32f4, registers_lm3s6965;
 
 struct registers;
 
@@ -104,5 +104,8 @@ const char *registers_write(struct registers *r, uint32_t core, uint64_t time_ns
                             uint32_t bytes);
 const char *registers_read(struct registers *r, uint32_t core, uint64_t time_ns, uint32_t address, uint32_t value,
                            uint32_t bytes);
+
+/* What the program left in a register; 0 where there is none. */
+uint32_t registers_value(struct registers *r, uint32_t core, uint32_t address);
 
 #endif

@@ -17,6 +17,7 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #define CPU_SECONDS 1800  /* a QEMU without its parent does not run for ever */
@@ -90,7 +91,7 @@ static void execute(const struct ends *e, const char *machine, const char *image
     }
     add(&w, "-serial", "chardev:uart");
     if (traced) {
-        add(&w, "-trace", "memory_region_ops_write");
+        add(&w, "-trace", "memory_region_ops_*");
         add(&w, "-trace", "nvic_acknowledge_irq");
         add(&w, "-D", log);
     }
@@ -133,10 +134,44 @@ int emulate_qemu_start(struct qemu *q, const char *machine, const char *image, u
                : emulate_qemu_command(q, "human-monitor-command", "\"command-line\": \"log guest_errors,invalid_mem\"");
 }
 
-static bool readable(int fd, int wait_ms)
+bool emulate_qemu_trace(struct qemu *q)
 {
-    struct pollfd p = {.fd = fd, .events = POLLIN};
-    return signal_stop == 0 && poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
+    char bytes[65536];
+    const ssize_t n = read(q->trace, bytes, sizeof bytes);
+    for (ssize_t i = 0; i < n && q->taken == 0; i++) {
+        if (bytes[i] != '\n') {
+            q->trace_line[q->trace_length] = bytes[i];
+            q->trace_length += q->trace_length < sizeof q->trace_line - 1;
+            continue;
+        }
+        q->trace_line[q->trace_length] = '\0';
+        q->trace_length = 0;
+        q->taken = q->take(q->context, q->trace_line);
+    }
+    return n > 0 && q->taken == 0;
+}
+
+static int64_t now_ms(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (int64_t)t.tv_sec * 1000 + t.tv_nsec / 1000000;
+}
+
+/* Waits for something to read. QEMU goes on only while its trace is taken. */
+static bool readable(struct qemu *q, int fd, int wait_ms)
+{
+    struct pollfd p[] = {{.fd = fd, .events = POLLIN}, {.fd = q->take != NULL ? q->trace : -1, .events = POLLIN}};
+    const int64_t until = now_ms() + wait_ms;
+    for (int64_t left = wait_ms; left >= 0 && signal_stop == 0 && poll(p, 2, (int)left) > 0; left = until - now_ms()) {
+        if ((p[1].revents & POLLIN) != 0 && !emulate_qemu_trace(q)) {
+            return false;
+        }
+        if (p[0].revents != 0 || (p[1].revents & POLLIN) == 0) {
+            return (p[0].revents & POLLIN) != 0;
+        }
+    }
+    return false;
 }
 
 /* These lines come in every run: the machines have a network chip without a network, and timers that stand still. */
@@ -180,10 +215,10 @@ static int end(struct qemu *q)
 static int last_words(struct qemu *q, const char *what, const char *name)
 {
     char byte;
-    if (emulate_qemu_interrupted()) {
+    if (q->taken != 0 || emulate_qemu_interrupted()) {
         return COMPLAINED;
     }
-    while (readable(q->uart, LAST_MS) && read(q->uart, &byte, 1) == 1) {
+    while (readable(q, q->uart, LAST_MS) && read(q->uart, &byte, 1) == 1) {
         if (emulate_qemu_logged(q, byte) && emulate_qemu_check_line(q) != 0) {
             return COMPLAINED;
         }
@@ -196,7 +231,7 @@ static int await_answer(struct qemu *q, const char *name)
 {
     char line[4096];
     size_t n = 0;
-    while (readable(q->monitor, WAIT_MS) && read(q->monitor, line + n, 1) == 1) {
+    while (readable(q, q->monitor, WAIT_MS) && read(q->monitor, line + n, 1) == 1) {
         if (line[n] != '\n') {
             n += n < sizeof line - 1;
             continue;
@@ -262,12 +297,12 @@ int emulate_qemu_check_line(const struct qemu *q)
 int emulate_qemu_line(struct qemu *q)
 {
     char byte;
-    while (readable(q->uart, WAIT_MS) && read(q->uart, &byte, 1) == 1) {
+    while (readable(q, q->uart, WAIT_MS) && read(q->uart, &byte, 1) == 1) {
         if (emulate_qemu_logged(q, byte)) {
             return emulate_qemu_check_line(q);
         }
     }
-    if (emulate_qemu_interrupted() || end(q) != 0) {
+    if (q->taken != 0 || emulate_qemu_interrupted() || end(q) != 0) {
         return COMPLAINED;
     }
     return complain("the image logs nothing more");
@@ -275,7 +310,10 @@ int emulate_qemu_line(struct qemu *q)
 
 int emulate_qemu_stop(struct qemu *q)
 {
-    const int status = end(q);
+    int status = end(q);
+    while (status == 0 && q->take != NULL && emulate_qemu_trace(q)) {
+    }
+    status = status != 0 ? status : q->taken;
     const int others[] = {q->monitor, q->uart, q->trace};
     for (int i = 0; i < 3; i++) {
         if (others[i] >= 0) {

@@ -12,6 +12,12 @@ struct qemu {
     char line[512];                 /* of the UART, so far */
     size_t length;
     FILE *log; /* what the image logs goes here, too; or NULL */
+
+    int (*take)(void *context, const char *line); /* takes the trace's lines, while others wait, too; NULL: no trace */
+    void *context;
+    int taken; /* its last status; one that is not 0 ends the run */
+    char trace_line[256];
+    size_t trace_length;
 };
 
 /* Starts the machine, halted; serial line number `uart` is the log. */
@@ -33,6 +39,9 @@ bool emulate_qemu_logged(struct qemu *q, char byte);
 /* Waits for the next line of the log on the UART. A line "fault..." or "stopped..." is a failure. */
 int emulate_qemu_line(struct qemu *q);
 int emulate_qemu_check_line(const struct qemu *q);
+
+/* Waits for some of the trace and passes it on. False: the trace has ended, or take refused a line. */
+bool emulate_qemu_trace(struct qemu *q);
 
 /* Ends QEMU. COMPLAINED if it wrote to stderr anything that it does not write in every run. */
 int emulate_qemu_stop(struct qemu *q);

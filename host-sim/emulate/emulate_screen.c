@@ -5,6 +5,7 @@
 
 #include "complain.h"
 #include "emulate_qemu.h"
+#include "emulate_registers.h"
 #include "hal.h"
 
 #include <stdlib.h>
@@ -135,21 +136,33 @@ static int run(const struct emulation *e, struct qemu *q, struct ppm *picture)
     return status;
 }
 
+static int take_line(void *context, const char *line)
+{
+    struct emulate_access access;
+    return emulate_registers_line(context, line, &access);
+}
+
 int emulate_screen(const struct emulation *e)
 {
     struct qemu q;
+    struct emulate_registers registers;
     const uint16_t width = panel_width(e->board->panel, e->board->rotation);
     const uint16_t height = panel_height(e->board->panel, e->board->rotation);
     struct ppm picture = {width, height, malloc((size_t)width * height * 3)};
-    if (picture.rgb == NULL) {
+    if (emulate_registers_open(&registers, &registers_lm3s6965) != 0 || picture.rgb == NULL) {
+        emulate_registers_close(&registers);
+        free(picture.rgb);
         return complain("not enough memory for a picture");
     }
-    int status = emulate_qemu_start(&q, "lm3s6965evb", e->image, 0, false);
+    int status = emulate_qemu_start(&q, "lm3s6965evb", e->image, 0, true);
     q.log = e->log;
+    q.take = take_line;
+    q.context = &registers;
     if (status == 0) {
         status = run(e, &q, &picture);
     }
+    const int stopped = emulate_qemu_stop(&q) != 0 ? COMPLAINED : emulate_registers_said(&registers);
+    emulate_registers_close(&registers);
     free(picture.rgb);
-    const int stopped = emulate_qemu_stop(&q);
     return status != 0 ? status : stopped;
 }

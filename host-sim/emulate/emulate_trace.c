@@ -11,6 +11,7 @@
 
 #include "complain.h"
 #include "emulate_qemu.h"
+#include "emulate_registers.h"
 #include "hal.h"
 #include "wire_replay.h"
 
@@ -38,6 +39,7 @@ struct trace {
     const struct emulation *e;
     struct qemu q;
     struct wire *wire;
+    struct emulate_registers registers;
     struct ppm picture;
     uint64_t levels, ticks, frame_ticks;
     uint32_t clock_hz, frames;
@@ -161,43 +163,36 @@ static int store(struct trace *t, uint32_t address, uint32_t value)
     return 0;
 }
 
-static int take_line(struct trace *t, const char *line)
+static int take_line(void *context, const char *line)
 {
-    if (strncmp(line, "nvic_acknowledge_irq", 20) == 0) {
-        const int status = flush(t);
+    struct trace *t = context;
+    struct emulate_access access;
+    int status = emulate_registers_line(&t->registers, line, &access);
+    status = status == 0 ? emulate_registers_said(&t->registers) : status;
+    if (status == 0 && access.tick) {
         t->ticks++;
-        return status;
+        status = flush(t);
+    } else if (status == 0 && access.store) {
+        status = store(t, access.address, access.value);
     }
-    const char *address = strstr(line, " addr 0x"), *value = strstr(line, " value 0x");
-    if (strncmp(line, "memory_region_ops_write", 23) != 0 || address == NULL || value == NULL) {
-        return complain("QEMU says: %.*s", (int)strcspn(line, "\n"), line);
-    }
-    return store(t, (uint32_t)strtoul(address + 6, NULL, 16), (uint32_t)strtoul(value + 7, NULL, 16));
+    return status == 0 && wire_replay_complaints(t->wire) > 0 ? COMPLAINED : status;
 }
 
 static int run(struct trace *t)
 {
-    char line[512];
-    FILE *in = fdopen(dup(t->q.trace), "r");
-    int status = in != NULL ? emulate_qemu_command(&t->q, "cont", NULL) : complain("QEMU's trace cannot be read");
+    t->q.take = take_line;
+    t->q.context = t;
+    int status = emulate_qemu_command(&t->q, "cont", NULL);
     while (status == 0 && t->frames < t->e->frames) {
-        const bool more = fgets(line, sizeof line, in) != NULL;
-        if (emulate_qemu_interrupted()) {
-            status = COMPLAINED;
-        } else if (!more) {
-            status = complain("QEMU stopped after %u frames", (unsigned)t->frames);
-        } else if (t->ticks - t->frame_ticks > TICKS_A_FRAME) {
+        if (t->ticks - t->frame_ticks > TICKS_A_FRAME) {
             status = complain("no frame after frame %u", (unsigned)t->frames);
-        } else {
-            status = take_line(t, line);
-        }
-        if (status == 0 && wire_replay_complaints(t->wire) > 0) {
-            status = COMPLAINED;
+        } else if (!emulate_qemu_trace(&t->q)) {
+            status = t->q.taken != 0 || emulate_qemu_interrupted()
+                         ? COMPLAINED
+                         : complain("QEMU stopped after %u frames", (unsigned)t->frames);
         }
     }
-    if (in != NULL) {
-        fclose(in);
-    }
+    t->q.take = NULL; /* what the image does after the last frame is not looked at */
     return status;
 }
 
@@ -214,7 +209,8 @@ int emulate_trace(const struct emulation *e)
                                        .resent = resent};
     t.picture = (struct ppm){width, height, malloc((size_t)width * height * 3)};
     t.wire = wire_replay_open(&config);
-    if (t.picture.rgb == NULL || t.wire == NULL) {
+    if (emulate_registers_open(&t.registers, &registers_stm32f4) != 0 || t.picture.rgb == NULL || t.wire == NULL) {
+        emulate_registers_close(&t.registers);
         wire_replay_close(t.wire);
         free(t.picture.rgb);
         return complain("not enough memory, or no model of the board's controller");
@@ -225,6 +221,7 @@ int emulate_trace(const struct emulation *e)
         status = run(&t);
     }
     const int stopped = emulate_qemu_stop(&t.q);
+    emulate_registers_close(&t.registers);
     wire_replay_close(t.wire);
     free(t.picture.rgb);
     return status != 0 ? status : stopped;

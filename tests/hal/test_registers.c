@@ -441,6 +441,8 @@ static void the_tables_are_whole(void **state)
     (void)state;
     check_table(&registers_rp2040);
     check_table(&registers_rp2350);
+    check_table(&registers_stm32f4);
+    check_table(&registers_lm3s6965);
 }
 
 #define FRESH(test) cmocka_unit_test_setup_teardown(test, fresh, end)
