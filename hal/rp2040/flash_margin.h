@@ -68,4 +68,22 @@
 #error "an RP2040 samples an unknown flash too early or too late: take the next larger divider"
 #endif
 
+/*
+ * RP2350, whose delay is in half cycles. A W25Q is read at 75 MHz: setup 3.33 ns, hold 3.08 ns. Any other flash is read
+ * at 50 MHz: setup 4.66 ns, hold 4.91 ns.
+ */
+#define RP2350_FLASH_CLK_SYS_HZ      150000000
+#define RP2350_FLASH_W25Q_DIVIDER    2
+#define RP2350_FLASH_UNKNOWN_DIVIDER 3
+#define RP2350_FLASH_DELAY           2 /* RXDELAY */
+
+#if !FLASH_IS_SAFE(RP2350_FLASH_CLK_SYS_HZ, RP2350_FLASH_W25Q_DIVIDER, RP2350_FLASH_DELAY, FLASH_W25Q_TCLQV_PS,        \
+                   FLASH_W25Q_TCLQX_PS)
+#error "an RP2350 samples a W25Q too early or too late: take the next larger divider"
+#endif
+#if !FLASH_IS_SAFE(RP2350_FLASH_CLK_SYS_HZ, RP2350_FLASH_UNKNOWN_DIVIDER, RP2350_FLASH_DELAY, FLASH_UNKNOWN_TCLQV_PS,  \
+                   FLASH_UNKNOWN_TCLQX_PS)
+#error "an RP2350 samples an unknown flash too early or too late: take the next larger divider"
+#endif
+
 #endif

@@ -20,7 +20,7 @@ PORT_SCENE = 524288 # FLASH_SCENE of host-sim/flash/flash_scene.h
 PORT_LD = hal/rp2350/rp2350.ld
 PORT_STACK_BYTES = 6912
 PORT_AHEAD_BYTES = $(if $(filter 2,$(CORES)),53248)
-PORT_RAM_BYTES := $(if $(filter 2,$(CORES)),215040,155648) # the code that runs from RAM, and what the RP2040 has here, too
+PORT_RAM_BYTES := $(if $(filter 2,$(CORES)),216064,156672) # the code that runs from RAM, and what the RP2040 has here, too
 PORT_STACK_EXTRA = $(if $(filter riscv,$(ISA)),160,32) # an interrupt's registers, and its handler's on RISC-V
 UF2_FAMILY = $(if $(filter riscv,$(ISA)),0xe48bff5a,0xe48bff59)
 UF2_BASE = 0x10000000
@@ -30,3 +30,4 @@ SPEED = CHIP=rp2350 ISA='$(ISA)' IDEAL=0 B='$(B)' hal/rp2040/emulate/speed.sh '$
 FLASH = '$(B)/pinhole-flash' $(if $(filter %.phs,$(SCENE)),'$(SCENE)' --at-scene,'$(IMAGE).uf2') $(if $(SERIAL),--serial '$(SERIAL)')
 FLASH_NEEDS = $(B)/pinhole-flash
 $(B)/hal/rp2040/%.o $(B)/hal/rp2350/%.o: INC = -Ihal -Ihal/rp2350/$(or $(ISA),arm) -Ihal/rp2350
+$(B)/hal/rp2350/flash.o: override CFLAGS += -Os # it takes RAM, and runs once

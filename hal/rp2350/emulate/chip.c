@@ -49,6 +49,8 @@ void chip_reset(struct chip *chip)
     chip->core1_words = chip->locks = chip->mtime_control = 0;
     chip->mtime = 0;
     chip->uart_control = 0;
+    qmi_reset(chip);
+    xip_reset(chip);
     for (uint32_t i = 0; i < CORES; i++) {
         core_reset(&chip->core[i], 0, RAM_BASE + RAM_BYTES, 0);
         chip->core[i].started = i == 0;

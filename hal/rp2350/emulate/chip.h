@@ -11,6 +11,7 @@
  *   sio.c       FIFOs between the cores, spin locks   pins.c      pins and pads
  *   spi.c       PL022, whose words take time          dma.c       channels
  *   facts.c     id, reasons of resets, frequency counter
+ *   xip.c       the cache before the flash            qmi.c       what reads the flash       flash.c   the flash
  *   record.c    the events on the wires               rp2350_emulate.c   options, frames, report
  *
  * Section numbers in the sources are those of the RP2350 datasheet (Raspberry Pi Ltd). Time is in femtoseconds: a
@@ -85,6 +86,41 @@ struct channel {
     bool busy;
 };
 
+/* The flash beside the chip, see flash.c. */
+struct flash_chip {
+    uint8_t id[3], status[2];
+    bool locked, has_sfdp;           /* the status registers cannot be written; 5Ah finds parameters */
+    uint64_t earliest_fs, latest_fs; /* from a falling edge of SCK to changed bits at the chip's registers */
+    bool continuous;                 /* it expects an address in the place of a command */
+    bool volatile_write;             /* command 50h came last */
+    bool selected;                   /* in direct mode */
+    uint64_t released;               /* when it was not selected any more */
+    uint8_t bytes[8];                /* the first ones of a command */
+    uint32_t count;
+};
+
+#define QMI_FIFO_WORDS 4
+
+struct qmi {
+    uint32_t csr, timing, rfmt, rcmd; /* of window 0; window 1 has no device */
+    uint32_t pads[7];
+    uint64_t clocks_end; /* direct mode: when the last byte is out */
+    uint8_t rx[QMI_FIFO_WORDS];
+    uint64_t rx_ready[QMI_FIFO_WORDS];
+    uint32_t rx_count;
+    uint64_t from, until;    /* the last transfer from memory */
+    uint64_t selected_until; /* until then the next one may be appended */
+    uint32_t next;           /* if it begins at this address */
+};
+
+#define XIP_SETS 1024
+
+struct xip {
+    uint32_t line[XIP_SETS][2]; /* address / 8, + 1; 0: none */
+    uint32_t random;
+    uint32_t accesses, hits; /* since the counters were cleared */
+};
+
 struct pll {
     uint32_t cs, power, feedback, post;
     uint64_t locked_from;
@@ -123,6 +159,9 @@ struct chip {
     uint8_t rom[ROM_BYTES], ram[RAM_BYTES];
     uint8_t *flash;
     uint32_t flash_bytes;
+    struct flash_chip flash_chip;
+    struct qmi qmi;
+    struct xip xip;
     uint32_t entry, stack, stack_limit, vectors; /* what the ROM gives to core 0 */
 
     uint32_t resets; /* blocks in reset */
@@ -184,6 +223,40 @@ uint32_t memory_fetch(struct core *core, uint32_t address);
 /* Of several words: that is a fault unless they are aligned. */
 void memory_check_aligned(struct core *core, uint32_t address);
 uint32_t memory_dma_read(struct chip *chip, uint32_t address, uint32_t bytes);
+
+/* xip.c: a core's read of `bytes` (1, 2, 4) in the windows of flash, which takes time. */
+uint32_t xip_read(struct core *core, uint32_t address, uint32_t bytes);
+void xip_reset(struct chip *chip);
+uint32_t xip_control_read(struct chip *chip, uint32_t offset);
+void xip_control_write(struct chip *chip, uint32_t offset, uint32_t value);
+
+/* qmi.c */
+void qmi_reset(struct chip *chip); /* the way in which the ROM leaves it */
+uint32_t qmi_read(struct chip *chip, uint32_t offset);
+void qmi_write(struct chip *chip, uint32_t offset, uint32_t value);
+uint32_t qmi_pad_read(struct chip *chip, uint32_t offset);
+void qmi_pad_write(struct chip *chip, uint32_t offset, uint32_t value);
+/* Reads `bytes` at an address of the flash for a core; cycles until it has them. *right: they were sampled rightly. */
+uint64_t qmi_transfer(struct core *core, uint32_t address, uint32_t bytes, bool *right);
+/* Whether reads by M0_TIMING have less margin than hal/flash_margin.h asks for. */
+bool qmi_is_marginal(const struct chip *chip);
+/* Whether direct mode takes the flash away from the windows. */
+static inline bool qmi_is_direct(const struct chip *chip)
+{
+    return (chip->qmi.csr & 1) != 0;
+}
+
+/* flash.c */
+/* ID[,STATUS2][,locked][,sfdp][,EARLIEST:LATEST]: hexadecimal numbers; picoseconds. false: it is none of these. */
+bool flash_is(struct flash_chip *flash, const char *text);
+void flash_reset(struct flash_chip *flash);
+/* The command by which the ROM reads this flash. */
+uint32_t flash_rom_command(const struct flash_chip *flash);
+/* The flash is selected or released, and answers to a byte. */
+void flash_select(struct chip *chip, bool selected);
+uint8_t flash_byte(struct chip *chip, uint8_t byte);
+/* A read begins with these phases as in QMI's RFMT and RCMD, at a clock. */
+void flash_begin_read(struct chip *chip, uint32_t rfmt, uint32_t rcmd, double sck_hz);
 
 /* core.c */
 void core_reset(struct core *core, uint32_t vectors, uint32_t stack, uint32_t entry);

@@ -8,9 +8,6 @@ static const uint8_t *readable(const struct chip *chip, uint32_t address, uint32
     if (address - RAM_BASE <= RAM_BYTES - bytes) {
         return chip->ram + (address - RAM_BASE);
     }
-    if (address - FLASH_BASE <= FLASH_BYTES - bytes) {
-        return chip->flash + (address - FLASH_BASE);
-    }
     return address <= ROM_BYTES - bytes ? chip->rom + address : NULL;
 }
 
@@ -29,6 +26,12 @@ static uint32_t block_read(struct chip *chip, uint32_t block, uint32_t offset)
         return timer_read(chip, offset);
     case 0x50000000:
         return dma_read(chip, offset);
+    case 0x40040000:
+        return qmi_pad_read(chip, offset);
+    case 0x400c8000:
+        return xip_control_read(chip, offset);
+    case 0x400d0000:
+        return qmi_read(chip, offset);
     default:
         return clocks_read(chip, block + offset);
     }
@@ -53,6 +56,15 @@ static void block_write(struct chip *chip, uint32_t block, uint32_t offset, uint
         break;
     case 0x50000000:
         dma_write(chip, offset, value);
+        break;
+    case 0x40040000:
+        qmi_pad_write(chip, offset, value);
+        break;
+    case 0x400c8000:
+        xip_control_write(chip, offset, value);
+        break;
+    case 0x400d0000:
+        qmi_write(chip, offset, value);
         break;
     default:
         clocks_write(chip, block + offset, value);
@@ -117,6 +129,11 @@ static void io_write(struct core *core, uint32_t address, uint32_t value, uint32
     }
 }
 
+static bool is_flash(uint32_t address)
+{
+    return address >> 28 == FLASH_BASE >> 28;
+}
+
 static bool is_io(uint32_t address)
 {
     return (address >> 28 == 4 && address < 0x40110000) || address >> 15 == 0x50000000 >> 15 ||
@@ -130,6 +147,9 @@ uint32_t memory_read(struct core *core, uint32_t address, uint32_t bytes)
     if (from != NULL) {
         memcpy(&value, from, bytes);
         return value;
+    }
+    if (is_flash(address)) {
+        return xip_read(core, address, bytes);
     }
     if (is_io(address)) {
         return io_read(core, address, bytes);
@@ -164,6 +184,9 @@ void memory_check_aligned(struct core *core, uint32_t address)
 
 uint32_t memory_fetch(struct core *core, uint32_t address)
 {
+    if (is_flash(address)) {
+        return xip_read(core, address, 2);
+    }
     const uint8_t *from = readable(core->chip, address, 2);
     if (from == NULL) {
         chip_warn(core->chip, "core %u runs at %08x, where nothing is", core->index, address);
@@ -174,7 +197,8 @@ uint32_t memory_fetch(struct core *core, uint32_t address)
 
 uint32_t memory_dma_read(struct chip *chip, uint32_t address, uint32_t bytes)
 {
-    const uint8_t *from = readable(chip, address, bytes);
+    const bool of_flash = address - FLASH_BASE <= FLASH_BYTES - bytes && !qmi_is_direct(chip);
+    const uint8_t *from = of_flash ? chip->flash + (address - FLASH_BASE) : readable(chip, address, bytes);
     uint32_t value = 0;
     if (from == NULL || address % bytes != 0) {
         chip_warn(chip, "the DMA reads %u bytes at %08x", bytes, address);

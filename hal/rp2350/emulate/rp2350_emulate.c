@@ -12,7 +12,10 @@ static const char help[] =
     "hal/rp2040/emulate/emulate.mjs: --frames N, --events FILE, --report FILE, --cores 1|2, --dc PIN, --select PIN,\n"
     "--press FRAME:PINS, --charge US, --send FRAME:TEXT, --fault FRAME, --calls ADDRESSES, --jump FRAME:N, --delays "
     "SEED,\n"
-    "--chip NAME=N,.., --free-wire, --free-flash, --limit-ms N.\n"
+    "--chip NAME=N,.., --free-wire, --free-flash, --limit-ms N. Also --flash ID[,STATUS2][,locked][,sfdp][,EARLIEST:LATEST]:\n"
+    "what the flash answers to 9Fh, its status register 2, whether it refuses to change it, whether it tells parameters "
+    "by 5Ah,\n"
+    "when its bits change behind SCK's falling edge, in ps. It is ef4016,2,5000:7500 else.\n"
     "The image's UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.\n";
 
 struct by_frame {
@@ -283,6 +286,11 @@ static bool set_text(const char *name, const char *value)
         options.fault = (int32_t)number(name, value);
     } else if (strcmp(name, "--charge") == 0) {
         chip.charge = number(name, value) * FS_PER_US;
+    } else if (strcmp(name, "--flash") == 0) {
+        if (!flash_is(&chip.flash_chip, value)) {
+            fprintf(stderr, "rp2350-emulate: --flash %s: ID[,STATUS2][,locked][,sfdp][,EARLIEST:LATEST]\n", value);
+            exit(2);
+        }
     } else if (strcmp(name, "--press") == 0) {
         add(&options.press, name, value);
     } else if (strcmp(name, "--send") == 0) {
@@ -408,6 +416,8 @@ static int finish(void)
             fprintf(stderr, "emulate: core %u: lowest stack %x\n", i, chip.core[i].lowest);
         }
     }
+    fprintf(stderr, "emulate: M0_TIMING %08x, M0_RFMT %08x, M0_RCMD %08x; %u misses of the cache\n", chip.qmi.timing,
+            chip.qmi.rfmt, chip.qmi.rcmd, chip.xip.accesses - chip.xip.hits);
     if (!written) {
         fail("the events cannot be written");
     }
@@ -428,6 +438,7 @@ int main(int count, char **arguments)
 {
     static uint8_t image[FLASH_BYTES];
     (void)count;
+    (void)flash_is(&chip.flash_chip, "ef4016,2,5000:7500");
     read_options(arguments + 1);
     const uint32_t bytes = read_image(image);
     check(image_refused(image, bytes));
