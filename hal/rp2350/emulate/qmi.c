@@ -120,9 +120,17 @@ static void check_pads(struct chip *chip, double sck_hz)
 
 /* ---- direct mode (12.14.5) -------------------------------------------------------------------------------------- */
 
+static uint64_t byte_time(const struct chip *chip)
+{
+    return 8 * divider_of(chip->qmi.csr >> 22 & 255) * chip->sys_cycle;
+}
+
+/* BUSY stays for half a clock after the last byte, whose answer is there before. */
 static bool is_busy(const struct chip *chip)
 {
-    return chip->now < chip->qmi.clocks_end || chip->now < chip->qmi.selected_until;
+    const struct qmi *qmi = &chip->qmi;
+    const bool clocks = qmi->clocks_end != 0 && chip->now < qmi->clocks_end + byte_time(chip) / 16;
+    return clocks || chip->now < qmi->selected_until;
 }
 
 /* With AUTO_CS0N the flash is selected while the QMI is busy. */
@@ -132,11 +140,6 @@ static void follow_busy(struct chip *chip)
         flash_select(chip, false);
         chip->flash_chip.released = chip->qmi.clocks_end;
     }
-}
-
-static uint64_t byte_time(const struct chip *chip)
-{
-    return 8 * divider_of(chip->qmi.csr >> 22 & 255) * chip->sys_cycle;
 }
 
 static uint32_t tx_level(const struct chip *chip)
@@ -171,7 +174,7 @@ static void write_csr(struct chip *chip, uint32_t value)
     }
     if (is_busy(chip) && (changed & (ASSERT_CS0N | AUTO_CS0N)) != 0) {
         chip_warn(chip, "DIRECT_CSR selects or releases the flash while the QMI is busy");
-    } else if (qmi->clocks_end > chip->now && (changed & EN) != 0) {
+    } else if (is_busy(chip) && (was & EN) != 0 && (changed & EN) != 0) {
         chip_warn(chip, "DIRECT_CSR ends direct mode while the QMI is busy");
     } else if ((now & (EN | ASSERT_CS0N)) == ASSERT_CS0N) {
         chip_warn(chip, "DIRECT_CSR selects the flash without direct mode: reads from memory may be under way");
