@@ -15,7 +15,7 @@
 #include "port.h"
 #include <registers.h>
 #include <cpu.h>
-#include "flash_margin.h"
+#include "rp2040/flash_margin.h"
 #include "rp2040/flash.h"
 
 #include <stddef.h>

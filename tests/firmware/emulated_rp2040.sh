@@ -68,7 +68,8 @@ frame_us() {
 
 same() { [ "$(wc -l <"$dir/seen")" = "$1" ] && diff "$dir/expected" "$dir/seen"; }
 
-# Runs speed.sh for a board and demos, and compares its CSV file with the table in tests/bench/README.md: each rate is within
+# Runs speed.sh for a board and demos (in the environment CHIP and ISA), and compares its CSV file with the table of this chip in
+# tests/bench/README.md: each rate is within
 # 3 %, and at least 90 % of that with ideal flash; there are rows for N demos. (A rate below 10 is shown with few digits: one
 # more unit of the last is allowed.)
 speed_agrees() { # N, arguments of speed.sh
@@ -77,8 +78,10 @@ speed_agrees() { # N, arguments of speed.sh
 }
 
 speed_as_in() { # paper, N; stdin: the CSV file
-    awk -v n="$2" 'function off(now, paper) { return now > paper * 1.03 + 0.05 || now < paper * 0.97 - 0.05 }
-        FILENAME != "-" { if ($0 ~ /^\| `[a-z]*` \| [0-9]/ && split($0, cell, "|") == 14) { gsub(/[` ]/, "", cell[2]); fps[cell[2], 1] = cell[3]; fps[cell[2], 2] = cell[8] } next }
+    local cells=14 one=3 two=8 # of the RP2040's table; the RP2350's has all four rates of both instruction sets
+    [ "${CHIP-}" != rp2350 ] || { cells=11 && [ "${ISA:-arm}" = arm ] && one=3 two=5 || one=7 two=9; }
+    awk -v n="$2" -v cells="$cells" -v one="$one" -v two="$two" 'function off(now, paper) { return now > paper * 1.03 + 0.05 || now < paper * 0.97 - 0.05 }
+        FILENAME != "-" { if ($0 ~ /^\| `[a-z]*` \| [0-9]/ && split($0, cell, "|") == cells) { gsub(/[` ]/, "", cell[2]); fps[cell[2], 1] = cell[one]; fps[cell[2], 2] = cell[two] } next }
         FNR == 1 { next }
         { split($0, word, ","); seen += word[2] == 1 }
         !((word[1], word[2]) in fps) { print word[1] ": not in the table"; bad = 1; next }

@@ -83,6 +83,27 @@ static void what_the_rp2040_sets_has_3_ns_on_both_sides(void **state)
     }
 }
 
+/* RXDELAY counts half cycles. No smaller divider would do, whatever the delay. */
+static void what_the_rp2350_sets_has_3_ns_on_both_sides(void **state)
+{
+    (void)state;
+    assert_true(is_safe(150, RP2350_FLASH_W25Q_DIVIDER, RP2350_FLASH_DELAY, &w25q));
+    assert_true(is_safe(150, RP2350_FLASH_UNKNOWN_DIVIDER, RP2350_FLASH_DELAY, &unknown));
+    assert_int_equal(RP2350_FLASH_CLK_SYS_HZ, 150000000);
+    for (int delay = 0; delay < 8; delay++) {
+        for (int divider = 1; divider < RP2350_FLASH_W25Q_DIVIDER; divider++) {
+            assert_true(!is_safe(150, divider, delay, &w25q));
+        }
+        for (int divider = 1; divider < RP2350_FLASH_UNKNOWN_DIVIDER; divider++) {
+            assert_true(!is_safe(150, divider, delay, &unknown));
+        }
+    }
+    for (double mhz = 1; mhz <= 150; mhz++) {
+        assert_true(is_safe(mhz, RP2350_FLASH_W25Q_DIVIDER, RP2350_FLASH_DELAY, &w25q));
+        assert_true(is_safe(mhz, RP2350_FLASH_UNKNOWN_DIVIDER, RP2350_FLASH_DELAY, &unknown));
+    }
+}
+
 /* clk_sys is slower until the PLL runs, and then it must not get any worse. */
 static void a_slower_clk_sys_does_not_spoil_it(void **state)
 {
@@ -115,6 +136,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_first_fetch_of_a_disregarded_delay_comes_too_early),
         cmocka_unit_test(what_the_rp2040_sets_has_3_ns_on_both_sides),
+        cmocka_unit_test(what_the_rp2350_sets_has_3_ns_on_both_sides),
         cmocka_unit_test(a_slower_clk_sys_does_not_spoil_it),
         cmocka_unit_test(the_formulas_say_what_the_edges_say),
     };
