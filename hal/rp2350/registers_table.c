@@ -54,15 +54,15 @@ enum { IO_BANK0_INTR = 0x230, TIMER_INTR = 0x3c, TIMER_INTE = 0x40, FC0 = 0x8c, 
 #define RESETS_AT_START  (0x1fffffff & ~(1 << 7 | 1 << 10))
 #define CLK_SYS_AT_START 0x41
 #define PAD_AT_START     0x116
-#define PSM_PROC1_AT    24
+#define PSM_PROC1_AT     24
 #define DMA_SPI1_BIT     (1 << 18) /* TREQ_SEL is 24 for SPI0, 26 for SPI1 */
 #define PAD_FIELDS       {"ISO", 8, 1, 0, 0, "the pad is not isolated"},
 
 static const struct register_field resets_fields[] = {
     {"DMA", 2, 1, 0, 1, "in reset"},      {"IO_BANK0", 6, 1, 0, 1, "in reset"}, {"PADS_BANK0", 9, 1, 0, 1, "in reset"},
     {"PLL_SYS", 14, 1, 0, 1, "in reset"}, {"PLL_USB", 15, 1, 0, 1, "in reset"}, {"SPI0", 18, 1, 0, 1, "in reset"},
-    {"SPI1", 19, 1, 0, 1, "in reset"},      {"SYSINFO", 21, 1, 0, 1, "in reset"},
-       {"TIMER0", 23, 1, 0, 1, "in reset"},  {"UART0", 26, 1, 0, 1, "in reset"},
+    {"SPI1", 19, 1, 0, 1, "in reset"},    {"SYSINFO", 21, 1, 0, 1, "in reset"}, {"TIMER0", 23, 1, 0, 1, "in reset"},
+    {"UART0", 26, 1, 0, 1, "in reset"},
 };
 static const struct register_field clk_sys_fields[] = {
     {"SRC", 0, 1, 0, 1, "clk_ref, the auxiliary source"},
