@@ -82,7 +82,7 @@ MAINS := $(wildcard host-sim/*/pinhole_*.c)
 ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
 HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/$(ASSIMP) model/$(ASSIMP:assimp=gltf) picture/$(PNG) picture/$(JPEG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
 # What chips take as accesses to their registers: for emulators and tests, in no image.
-REGISTERS := $(wildcard hal/registers/*.c hal/*/registers_table.c)
+REGISTERS := $(wildcard hal/chips/*.c hal/*/registers_table.c)
 HOST := $(filter-out $(MAINS),$(HOST)) $(REGISTERS)
 PROGRAMS := $(patsubst %.c,$(B)/%,$(subst _,-,$(notdir $(if $(SPIDEV),$(MAINS),$(filter-out %/pinhole_panel.c,$(MAINS))))))
 
@@ -205,11 +205,11 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 
 $(B)/tests/hal/test_hal: $(B)/hal/template/template.o # a port, so it is in no library
 
-$(B)/rp2350-emulate: $(call objects,$(wildcard hal/rp2350/emulate/*.c hal/registers/*.c) hal/rp2350/registers_table.c) # for firmware/firmware.mk
+$(B)/rp2350-emulate: $(call objects,$(wildcard hal/rp2350/emulate/*.c hal/chips/*.c) hal/rp2350/registers_table.c) # for firmware/firmware.mk
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@.part && mv $@.part $@
 
-$(B)/rp2040-registers: $(call objects,hal/rp2040/emulate/rp2040_registers.c $(wildcard hal/registers/*.c) hal/rp2040/registers_table.c) # for its emulator, too
+$(B)/rp2040-registers: $(call objects,hal/rp2040/emulate/rp2040_registers.c $(wildcard hal/chips/*.c) hal/rp2040/registers_table.c) # for its emulator, too
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@.part && mv $@.part $@
 

@@ -2,7 +2,7 @@
  * pico: display packs on a Raspberry Pi Pico or Pico 2, and boards with an RP2040 or RP2350 that are wired like one.
  *
  * Their controllers (ST7789, ST7735S, GC9A01) take a bit at the rising edge of the clock, in SPI mode 0 as in mode 3.
- * In mode 3 these chips' SPI unit makes no pause after a word (hal/spi_clock.h), which is 9 % more frames/s.
+ * In mode 3 these chips' SPI unit makes no pause after a word (hal/chips/spi_clock.h), which is 9 % more frames/s.
  */
 #ifndef FAMILIES_PICO_H
 #define FAMILIES_PICO_H

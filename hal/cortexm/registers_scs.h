@@ -1,11 +1,11 @@
 /*
- * registers_scs: the rows that the tables of Cortex-M3 and M4 chips share (hal/registers/registers.h): SysTick, system
+ * registers_scs: the rows that the tables of Cortex-M3 and M4 chips share (hal/chips/registers.h): SysTick, system
  * control and MPU, which start.c writes. Source: ARMv7-M Architecture Reference Manual, ARM DDI 0403E.
  */
 #ifndef CORTEXM_REGISTERS_SCS_H
 #define CORTEXM_REGISTERS_SCS_H
 
-#include "registers/registers.h"
+#include "chips/registers.h"
 
 #define SCS_AT(offset) (0xE000E000u + (offset))
 

@@ -5,7 +5,7 @@
  */
 #include "board.h"
 #include "port.h"
-#include "spi_clock.h"
+#include "chips/spi_clock.h"
 #include "cortexm/start.h"
 
 #define DID0  REG32(0x400FE000)

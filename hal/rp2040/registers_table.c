@@ -1,5 +1,5 @@
 /*
- * What the RP2040 takes as accesses to its registers; see hal/registers/registers.h. Sections are those of the RP2040
+ * What the RP2040 takes as accesses to its registers; see hal/chips/registers.h. Sections are those of the RP2040
  * datasheet (Raspberry Pi Ltd), and B3 those of the ARMv6-M Architecture Reference Manual (DDI 0419).
  */
 #define S(rp2040, rp2350) rp2040

@@ -6,7 +6,7 @@
 #ifndef RP2040_ROWS_H
 #define RP2040_ROWS_H
 
-#include "registers/registers.h"
+#include "chips/registers.h"
 
 #define RESETS_RESET               RESETS_BASE
 #define RESETS_RESET_DONE          (RESETS_BASE + 0x08)

@@ -13,7 +13,7 @@
  */
 #include <cpu.h>
 #include "rp2040.h"
-#include "spi_clock.h"
+#include "chips/spi_clock.h"
 
 _Static_assert(CLK_PERI_HZ == SPI_CLOCK_RP2040_HZ, "the simulator counts with this clock");
 

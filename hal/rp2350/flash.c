@@ -144,7 +144,7 @@ static void set_window(uint32_t timing, uint32_t rfmt, uint32_t rcmd)
     direct_end();
 }
 
-/* Of the image's first words. */
+/* A checksum of the image's first words, as they are read now. */
 static uint32_t sum(void)
 {
     uint32_t all = 0;

@@ -1,5 +1,5 @@
 /*
- * What the RP2350 takes as accesses to its registers; see hal/registers/registers.h. Sections are those of the RP2350
+ * What the RP2350 takes as accesses to its registers; see hal/chips/registers.h. Sections are those of the RP2350
  * datasheet (Raspberry Pi Ltd), and B11 those of the ARMv8-M Architecture Reference Manual (DDI 0553).
  */
 #define S(rp2040, rp2350) rp2350

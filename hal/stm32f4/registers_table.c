@@ -1,5 +1,5 @@
 /*
- * What an STM32F405 takes from its port (hal/registers/registers.h). Sections are those of RM0090. What the chip's
+ * What an STM32F405 takes from its port (hal/chips/registers.h). Sections are those of RM0090. What the chip's
  * errata sheet (ES0182) and data sheet say is named so.
  *
  * Ranges of values are those whose effect the port counts on: a crystal of 12 MHz makes 168 MHz, APB1 has a quarter.

@@ -8,7 +8,7 @@
 #include "board.h"
 #include "cortexm/start.h"
 #include "port.h"
-#include "spi_clock.h"
+#include "chips/spi_clock.h"
 
 #define RCC_CR      REG32(0x40023800)
 #define RCC_PLLCFGR REG32(0x40023804)

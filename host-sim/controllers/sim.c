@@ -3,7 +3,7 @@
 
 #include "sim_model.h"
 
-#include "spi_clock.h"
+#include "chips/spi_clock.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include "panel_kit.h"
 #include "self_test.h"
 
-/* Of an open kit; context is its struct panel_kit. */
+/* Tells about an open kit; context is its struct panel_kit. */
 void panel_facts(const void *context, self_test_put *put);
 
 #endif

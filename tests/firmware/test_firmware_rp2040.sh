@@ -171,7 +171,7 @@ interrupted() { # no node goes on, nothing half-written stays
 
 small_panel() { emulate waveshare-pico-lcd-0in96 1 3 && expect waveshare-pico-lcd-0in96 3 && same 3; }
 
-# The first frame is whole. The emulated chip divides its clock by the registers, the simulator by hal/spi_clock.h.
+# The first frame is whole. The emulated chip divides its clock by the registers, the simulator by hal/chips/spi_clock.h.
 bus_is_the_simulators() {
     local bus
     bus=$("$B/pinhole-sim" --board waveshare-pico-lcd-0in96 --demo turntable --stats 2>&1 >/dev/null | sed -n 's/.*bus \([0-9]*\) us.*/\1/p')

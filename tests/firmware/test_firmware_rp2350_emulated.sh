@@ -91,7 +91,7 @@ check "words_that_are_not_aligned" complains 'words at 20000002 with an instruct
 check "a_write_into_flash" complains 'where no RAM is' <<<'store 0x10000100, 1'
 check "an_empty_FIFO_between_the_cores" complains 'core 0 read an empty FIFO' <<<'ldr r0, =0xd0000058; ldr r0, [r0]'
 check "a_call_of_Arm_code" complains 'which is no Thumb code' <<<'ldr r0, =0x10000000; bx r0'
-# ---- and what silicon does not take: hal/registers ---------------------------------------------------
+# ---- and what silicon does not take: hal/chips ---------------------------------------------------
 check "a_PLL_out_of_its_range" complains 'PLL_SYS FBDIV_INT (40050008) = 000000a0: FBDIV_INT: the effect of a0 is not known' <<<"$crystal; store 0x40050008, 160"
 check "a_PLL_whose_crystal_is_not_stable" complains 'PLL_SYS PWR (40053004) = 00000021: the crystal was not seen' <<<'store 0x40050008, 125; store 0x40053004, 0x21'
 check "a_block_in_reset" complains 'SPI0 SSPCR1 (40080004) = 00000000: the block is in reset' <<<'store 0x40022000, 0x40000; store 0x40080004, 0'

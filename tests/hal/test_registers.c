@@ -1,5 +1,5 @@
 /*
- * The model of hal/registers on a chip that is made up: each need, field, kind, alias and number of registers is asked
+ * The model of hal/chips on a chip that is made up: each need, field, kind, alias and number of registers is asked
  * for and refused. And the tables of the real chips are whole: no need asks for a register that is not there.
  */
 #include <setjmp.h>
@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#include "registers/registers.h"
+#include "chips/registers.h"
 
 enum { UNIT = 0x40000000, CONTROL = UNIT, SET_UP = UNIT + 4, STATUS = UNIT + 8, DATA = UNIT + 12, LIST = UNIT + 0x20 };
 enum { OTHER = 0x50000000, RESET = 0x60000000, DONE = RESET + 4 };

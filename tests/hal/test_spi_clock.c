@@ -5,7 +5,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
-#include "spi_clock.h"
+#include "chips/spi_clock.h"
 
 static void known_clocks(void **state)
 {

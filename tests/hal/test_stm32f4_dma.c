@@ -12,7 +12,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "registers/registers.h"
+#include "chips/registers.h"
 
 /* The port's own file, with these in place of cortexm/start.h, and without the jump into the boot loader. */
 #define CORTEXM_START_H

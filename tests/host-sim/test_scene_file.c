@@ -453,7 +453,7 @@ static struct scene_file_clip *clip_in(uint8_t *bytes)
     return (void *)(bytes + motion_in(bytes)->clips);
 }
 
-/* Of the first clip; it has a rotation as its first one. */
+/* The first track of the first clip; it is a rotation. */
 static struct scene_file_track *track_in(uint8_t *bytes)
 {
     return (void *)(bytes + clip_in(bytes)->tracks);

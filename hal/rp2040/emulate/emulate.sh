@@ -3,7 +3,7 @@
 # Runs an image of an RP2040 board in rp2040js, or with CHIP=rp2350 of an RP2350 board in hal/rp2350/emulate. pinhole-wire
 # makes its frames, DIR/frame-NNNN.ppm, from the chip's wires.
 # Prints their checksums and how fast they came. DIR/events and DIR/report stay (see emulate.mjs). An access to a register
-# that silicon would not take (hal/registers) ends it.
+# that silicon would not take (hal/chips) ends it.
 # An RP2040 needs node and npm. npm gets rp2040js (package.json has the version) into the build directory; --install does
 # only that.
 # Environment: B (build directory), BOARD, BOARD_HOME, CORES (of the chip; 2), EVENTS_ONLY=1 (no pictures), HOSTCC.

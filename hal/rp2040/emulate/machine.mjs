@@ -233,7 +233,7 @@ function addWatchdog(machine, fifos) {
 }
 
 // In rp2040js SPI takes no time. Here a word is out after the time of its bits at the unit's clock, and, unless SPH is set,
-// of the unit's pause (hal/spi_clock.h).
+// of the unit's pause (hal/chips/spi_clock.h).
 function addWireTime(machine, spi) {
   const { clock } = machine.mcu;
   let word = null;

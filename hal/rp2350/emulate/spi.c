@@ -9,7 +9,7 @@ static uint32_t bits_of(const struct spi *spi)
     return (spi->cr0 & 15) + 1;
 }
 
-/* A word takes its bits at the unit's clock and, unless SPH is set, a pause (hal/spi_clock.h). */
+/* A word takes its bits at the unit's clock and, unless SPH is set, a pause (hal/chips/spi_clock.h). */
 static void start_word(struct chip *chip, uint32_t unit)
 {
     struct spi *spi = &chip->spi[unit];
