@@ -182,6 +182,7 @@ $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@
 
 UF2_ELF := $(if $(UF2_APP_BASE),$(B)/uf2-$(notdir $(OUT)).elf,$(OUT).elf)
+$(filter-out $(OUT).elf,$(UF2_ELF)): $(OUT).elf
 $(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/$(RAM_CODE)/*.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@

@@ -22,7 +22,7 @@ builds_and_says_what_it_takes() {
     firmware BOARD="$board" >"$dir/said" || { cat "$dir/said" && return 1; }
     for kind in elf bin uf2 map; do [ -s "$image.$kind" ] || { echo "no $kind" && return 1; }; done
     cat "$dir/said"
-    grep -Eq '^flash +[0-9]+ of 983040 bytes' "$dir/said" && grep -Eq '^RAM +[0-9]+ of +114688 bytes' "$dir/said" &&
+    grep -Eq '^flash +[0-9]+ of +983040 bytes' "$dir/said" && grep -Eq '^RAM +[0-9]+ of +114688 bytes' "$dir/said" &&
         grep -Eq '^stack +[0-9]+ of +[0-9]+ bytes' "$dir/said"
 }
 
@@ -44,15 +44,17 @@ segments_lie_apart() { # board
 }
 
 # Read back with od and awk alone: magics, flags, addresses, numbers, family, and the payload against the BIN.
+# Of the image that is linked for where TinyUF2 starts applications: 08010000 on an STM32F4.
 uf2_holds_the_bin() {
-    local blocks=$((($(stat -c %s "$image.bin") + 255) / 256))
+    local bin=$B/firmware/$board-objects/uf2-$board-demos.bin
+    local blocks=$((($(stat -c %s "$bin") + 255) / 256))
     od -An -v -tx4 -w512 "$image.uf2" | awk -v blocks="$blocks" '
         function hex(text,    i, n) { n = 0; for (i = 1; i <= length(text); i++) { n = n * 16 + index("0123456789abcdef", substr(text, i, 1)) - 1 }; return n }
         $1 != "0a324655" || $2 != "9e5d5157" || $3 != "00002000" || $128 != "0ab16f30" { print "magic of block " NR - 1 > "/dev/stderr"; exit 1 }
-        hex($4) != hex("08000000") + 256 * (NR - 1) || hex($5) != 256 || hex($6) != NR - 1 || hex($7) != blocks || $8 != "57755a57" { print "header of block " NR - 1 > "/dev/stderr"; exit 1 }
+        hex($4) != hex("08010000") + 256 * (NR - 1) || hex($5) != 256 || hex($6) != NR - 1 || hex($7) != blocks || $8 != "57755a57" { print "header of block " NR - 1 > "/dev/stderr"; exit 1 }
         { for (i = 9; i <= 72; i++) { print $i } }
         END { if (NR != blocks) { print NR " blocks, not " blocks > "/dev/stderr"; exit 1 } }' >"$dir/payload" || return 1
-    { cat "$image.bin" && head -c $((256 * blocks - $(stat -c %s "$image.bin"))) /dev/zero; } | od -An -v -tx4 -w4 | tr -d ' ' | cmp - "$dir/payload"
+    { cat "$bin" && head -c $((256 * blocks - $(stat -c %s "$bin"))) /dev/zero; } | od -An -v -tx4 -w4 | tr -d ' ' | cmp - "$dir/payload"
 }
 
 binary_info() { # of an RP2040 image
