@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Like tests/firmware/test_firmware_rp2350_emulated.sh for every RP2350 board, both instruction sets, with one core and with
-# two: every demo for some frames, with buttons pressed.
+# two: every demo for some frames, with buttons pressed. The rates of one board are those of tests/bench/README.md.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -17,6 +17,10 @@ every_demo() { # board, cores, option of the emulator...
     image "$1" "$2" && sweep 4 && emulate "$1" "$2" $((4 * demos)) "$dir/keys" "${@:3}" && expect "$1" $((4 * demos)) "$dir/keys" && same $((4 * demos))
 }
 
+as_in_the_table() { # number of demos
+    speed_agrees "$1" pico2-display 6
+}
+
 make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" "$B/rp2350-emulate" || exit 1
 for mk in boards/*/board.mk; do
     { grep -q 'families/pico2.mk' "$mk" && in_share; } || continue
@@ -25,5 +29,8 @@ for mk in boards/*/board.mk; do
         check "every_demo_is_the_simulators_on_${board}_with_one_core_$ISA" every_demo "$board" 1
         check "every_demo_is_the_simulators_on_${board}_with_two_cores_$ISA" every_demo "$board" 2 --delays 7 --limit-ms 1000000
     done
+done
+for ISA in arm riscv; do
+    ! in_share || check "frame_rates_are_as_in_the_table_$ISA" as_in_the_table "$("$B/pinhole-sim" --list | awk '$1 == "demo" && !/; by name only$/' | wc -l)"
 done
 tap_end

@@ -2,8 +2,11 @@
 # Small images for the emulated RP2350, each with one mistake; needs B and dir (a folder for the results).
 #   complains TEXT, assembler lines on stdin   the image's last lines; the emulator must object with this text
 #   works                                      the same, without an objection
+# misuse_options: options of the emulator for all of them.
 # The image starts with the blocks that it uses out of reset, clk_peri on, SPI0 on with its pins, and D/C (GP16) an output.
 # Beside instructions it has `store address, value`, `see address`, which reads, and `send value`, a word for SPI0.
+
+misuse_options=()
 
 misuse_image() {
     cat >"$dir/misuse.S" <<'EOT'
@@ -51,7 +54,7 @@ EOT
 }
 
 # shellcheck disable=SC2120 # options are for tests that look at the wires
-misuse_run() { "$B/rp2350-emulate" "$dir/misuse.bin" --dc 16 --select 17 --cores 1 --limit-ms 100 --events "$dir/misuse.events" "$@" 2>"$dir/misuse.log"; }
+misuse_run() { "$B/rp2350-emulate" "$dir/misuse.bin" --dc 16 --select 17 --cores 1 --limit-ms 100 --events "$dir/misuse.events" "${misuse_options[@]}" "$@" 2>"$dir/misuse.log"; }
 
 works() {
     misuse_image && misuse_run && grep -q 'frame -1: exit$' "$dir/misuse.log" || { cat "$dir/misuse.log" && return 1; }
