@@ -144,7 +144,7 @@ ifneq ($(KIT),)
 $(B)/firmware/core/%.o: override CFLAGS += $(call core_level,$(*F))
 endif
 
-ALL_FLAGS = $(if $(KIT),$(CORE_O3_armv6m) - $(CORE_O2_armv6m)) $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE)
+ALL_FLAGS = $(if $(KIT),$(CORE_O3_armv6m) - $(CORE_O2_armv6m)) $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE) $(if $(OUT),$(BOARD_HOME))
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 .PHONY: all demo check test test-exhaustive proof lint bench size depth gallery golden clean help core-objects firmware-objects test-programs long-programs fuzz-programs FORCE

@@ -365,8 +365,9 @@ struct ph_renderer {
 
 /*
  * Initialises r with a copy of config.
- * Errors: PH_ERR_INVAL: a size, a pointer or its alignment is wrong, or of other_core and other_core_join one is
- *         missing. PH_ERR_NOMEM: bin_max is below the number of bands. After an error r refuses all calls but this one.
+ * Errors: PH_ERR_INVAL: a size, a pointer or its alignment is wrong, or other_core lacks its
+ *         other_core_join. PH_ERR_NOMEM: bin_max is below the number of bands. After an error r refuses all calls but
+ * this one.
  */
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 

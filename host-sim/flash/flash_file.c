@@ -44,6 +44,9 @@ static bool has_definition(const struct flash_image *image)
 /* Would its chip start the image? A BIN file does not say for which chip it is: what it begins with does. */
 static int check_start(struct flash_image *image, char *error)
 {
+    if (memcmp(image->bytes, "PHHS", 4) == 0) { /* SCENE_FILE_MAGIC */
+        return flash_image_wrong(error, "a binary scene: add --at-scene");
+    }
     if (image->chip == FLASH_ANY) {
         image->chip = has_boot2(image->bytes) || !has_definition(image) ? FLASH_RP2040 : FLASH_RP2350;
     }

@@ -280,6 +280,8 @@ static void an_image_without_boot2_would_not_start(void **state)
     memcpy(file, bin, BYTES);
     file[0] ^= 1;
     refuses(BYTES, no_boot2);
+    memcpy(file, "PHHS", 4);
+    refuses(BYTES, "a binary scene: add --at-scene");
 }
 
 static void files_of_other_kinds(void **state)

@@ -50,6 +50,7 @@ else
     env -u BOARD make -s B="$B" "$B/rp2040-registers" >&2
 fi
 [ "$1" != --install ] || exit 0
+[ $# -ge 3 ] || stop "IMAGE.elf DIR FRAMES are wanted: see the head of $here/emulate.sh"
 elf=$1 out=$2 frames=$3
 shift 3
 [ -x "$B/pinhole-wire" ] || make -s B="$B" "$B/pinhole-wire" >&2
