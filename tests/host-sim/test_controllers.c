@@ -352,15 +352,28 @@ static void ssd1351_locks_commands(void **state)
     command(&k, 0xB3);
     DATA(&k, "\xF1");
     only(&k, SIM_BAD_PARAMETER, 1);
-    command(&k, 0xFD);
-    DATA(&k, "\xB1");
+    for (int locked = 1; locked >= 0; locked--) { /* 10.1.22 names them */
+        command(&k, 0xA2);
+        DATA(&k, "\x00");
+        command(&k, 0xB1);
+        DATA(&k, "\x32");
+        command(&k, 0xBB);
+        DATA(&k, "\x17");
+        command(&k, 0xBE);
+        DATA(&k, "\x05");
+        command(&k, 0xC1);
+        DATA(&k, "\xC8\x80\xC8");
+        only(&k, SIM_BAD_PARAMETER, 6);
+        command(&k, 0xFD);
+        DATA(&k, "\xB1");
+    }
     command(&k, 0xB3);
     DATA(&k, "\xF1");
-    only(&k, SIM_BAD_PARAMETER, 1);
+    only(&k, SIM_BAD_PARAMETER, 6);
     command(&k, 0xFD);
     DATA(&k, "\x16");
     command(&k, 0xA6);
-    only(&k, SIM_BAD_PARAMETER, 2);
+    only(&k, SIM_BAD_PARAMETER, 7);
     sim_close(k.sim);
 }
 

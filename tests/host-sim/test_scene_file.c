@@ -335,6 +335,7 @@ KIND(a_camera_that_scales, CAMERA, head->r[1][1] = INT32_MAX)
 KIND(a_camera_without_directions, CAMERA, memset(head->r, 0, sizeof head->r))
 KIND(a_camera_that_is_mirrored, CAMERA, head->r[0][0] = -(1 << 30))
 KIND(a_camera_that_shears, CAMERA, head->r[0][1] = 1 << 29)
+KIND(a_camera_that_shears_the_other_way, CAMERA, head->r[0][1] = -(1 << 29))
 KIND(a_surface_of_three_sides, SURFACE, mesh_in(bytes, ANY)->two_sided = 2)
 KIND(light_below_zero, SURFACE, mesh_in(bytes, ANY)->diffuse = -1)
 KIND(light_above_one, SURFACE, mesh_in(bytes, ANY)->specular = FX_ONE + 1)
@@ -415,6 +416,7 @@ static void each_kind_of_wrong_content_is_refused_or_is_meant(void **state)
                                         ROW(a_camera_without_directions),
                                         ROW(a_camera_that_is_mirrored),
                                         ROW(a_camera_that_shears),
+                                        ROW(a_camera_that_shears_the_other_way),
                                         ROW(a_surface_of_three_sides),
                                         ROW(light_below_zero),
                                         ROW(light_above_one),
