@@ -51,7 +51,7 @@ is_whole_after() { # signal
     kill -s "$1" -- -$!
     wait $! || status=$?
     cat "$dir/said" "$dir/calls"
-    [ $status = 130 ] && [ "$(tail -n 1 "$dir/calls")" = whole ] && [ "$(grep -c begun "$dir/calls")" = 1 ] && grep -q '^packages: interrupted' "$dir/said"
+    [ "$status" = 130 ] && [ "$(tail -n 1 "$dir/calls")" = whole ] && [ "$(grep -c begun "$dir/calls")" = 1 ] && grep -q '^packages: interrupted' "$dir/said"
 }
 
 only_says_the_command() {

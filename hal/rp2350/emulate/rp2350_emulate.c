@@ -12,8 +12,10 @@ static const char help[] =
     "hal/rp2040/emulate/emulate.mjs: --frames N, --events FILE, --report FILE, --cores 1|2, --dc PIN, --select PIN,\n"
     "--press FRAME:PINS, --charge US, --send FRAME:TEXT, --fault FRAME, --calls ADDRESSES, --jump FRAME:N, --delays "
     "SEED,\n"
-    "--chip NAME=N,.., --free-wire, --free-flash, --limit-ms N. Also --flash ID[,STATUS2][,locked][,sfdp][,EARLIEST:LATEST]:\n"
-    "what the flash answers to 9Fh, its status register 2, whether it refuses to change it, whether it tells parameters "
+    "--chip NAME=N,.., --free-wire, --free-flash, --limit-ms N. Also --flash "
+    "ID[,STATUS2][,locked][,sfdp][,EARLIEST:LATEST]:\n"
+    "what the flash answers to 9Fh, its status register 2, whether it refuses to change it, whether it tells "
+    "parameters "
     "by 5Ah,\n"
     "when its bits change behind SCK's falling edge, in ps. It is ef4016,2,5000:7500 else.\n"
     "The image's UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.\n";
