@@ -85,7 +85,7 @@ struct register_chip {
 #define REGISTER_LIST(list) (list), sizeof(list) / sizeof *(list)
 
 /* hal/CHIP/registers_table.c */
-extern const struct register_chip registers_rp2040, registers_rp2350, registers_stm32f4, registers_lm3s6965;
+extern const struct register_chip rp2040_registers, rp2350_registers, stm32f4_registers, lm3s6965_registers;
 
 struct registers;
 

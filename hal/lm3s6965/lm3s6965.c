@@ -109,26 +109,28 @@ static void start_clock(void)
     RCC &= ~bypass;
 }
 
-static void start_uart(void)
+/* Sets the UART up for the clock that start_clock() makes, and leaves it off. An emulator gives bytes to a UART that is
+ * off, so the FIFO is there before the crystal starts. */
+static void set_up_uart(void)
 {
     kit.early = (UART_FR & FR_RXFE) != 0 ? -1 : (int)(UART_DR & 255); /* the set-up empties the FIFO */
     UART_CTL = 0;
     UART_IBRD = 27; /* 50 MHz / 16 / 115200 = 27 + 8 / 64 */
     UART_FBRD = 8;
     UART_LCRH = 0x70; /* 8N1, FIFO */
-    UART_CTL = 0x301;
     gpio_function(BOARD_PORT('A', 0));
     gpio_function(BOARD_PORT('A', 1));
 }
 
 uint32_t port_start(void)
 {
-    start_clock();
     RCGC1 |= 0x11; /* UART0, SSI0 */
     RCGC2 |= 0x3F; /* ports A .. F */
     (void)RCGC2;   /* the first access must come three clocks later */
     (void)RCGC2;
-    start_uart();
+    set_up_uart();
+    start_clock();
+    UART_CTL = 0x301; /* on */
     return CLOCK_HZ;
 }
 

@@ -241,4 +241,4 @@ static const struct register_block blocks[] = {
     {"UART0", UART_AT(0), 0x1000, .rows = REGISTER_LIST(uart), .when = REGISTER_LIST(uart_when)},
 };
 
-const struct register_chip registers_lm3s6965 = {"LM3S6965", "LM3S6965 data sheet", .blocks = REGISTER_LIST(blocks)};
+const struct register_chip lm3s6965_registers = {"LM3S6965", "LM3S6965 data sheet", .blocks = REGISTER_LIST(blocks)};

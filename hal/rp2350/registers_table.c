@@ -17,6 +17,7 @@
 #define UART0_BASE      0x40070000
 #define SPI_BASE(unit)  ((unit) == 0 ? 0x40080000U : 0x40088000U)
 #define TIMER_BASE      0x400b0000
+#define XIP_BASE        0x400c8000
 #define QMI_BASE        0x400d0000
 #define WATCHDOG_BASE   0x400d8000
 #define POWMAN_BASE     0x40100000
@@ -135,6 +136,15 @@ static const struct register_row ticks_rows[] = {
     {"WATCHDOG_CYCLES", 0x34, .start = 0, REGISTER_LIST(cycles_fields), REGISTER_LIST(tickw_cycles_when), "8.5"},
 };
 
+/* ---- the cache's counters, which a test reads ---------------------------------------------------------------------
+ */
+
+static const struct register_field hits_fields[] = {{"CTR", 0, 32, 0, UINT32_MAX, "any write clears it"}};
+static const struct register_row xip_rows[] = {
+    {"CTR_HIT", 0x0c, .kind = REGISTER_COMMAND, .start = 0, REGISTER_LIST(hits_fields), .source = "4.4.5"},
+    {"CTR_ACC", 0x10, .kind = REGISTER_COMMAND, .start = 0, REGISTER_LIST(hits_fields), .source = "4.4.5"},
+};
+
 /* ---- flash: the QMI, and the pads of its window 0 ---------------------------------------------------------------- */
 
 #define QMI_EN   1
@@ -241,10 +251,11 @@ static const struct register_block blocks[] = {
      REGISTER_LIST(io_bank0_when)},
     {"PADS_BANK0", PADS_BANK0_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(pads_rows), REGISTER_LIST(pads_when)},
     {"PADS_QSPI", PADS_QSPI_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(pads_qspi_rows)},
+    {"XIP", XIP_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(xip_rows)},
     {"QMI", QMI_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(qmi_rows)},
     {"SYSINFO", SYSINFO_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(sysinfo_rows), REGISTER_LIST(sysinfo_when)},
     {"POWMAN", POWMAN_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(chip_reset_rows)},
     {"PPB", PPB_BASE, 0x1000, .per_core = true, REGISTER_LIST(ppb_rows)},
 };
 
-const struct register_chip registers_rp2350 = {"RP2350", "RP2350 datasheet", REGISTER_LIST(blocks)};
+const struct register_chip rp2350_registers = {"RP2350", "RP2350 datasheet", REGISTER_LIST(blocks)};

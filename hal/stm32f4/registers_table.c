@@ -351,4 +351,4 @@ static const struct register_block blocks[] = {
     {"USART3", USART, 0x400, .rows = REGISTER_LIST(usart3), .when = REGISTER_LIST(usart3_when)},
 };
 
-const struct register_chip registers_stm32f4 = {"STM32F405", "RM0090", .blocks = REGISTER_LIST(blocks)};
+const struct register_chip stm32f4_registers = {"STM32F405", "RM0090", .blocks = REGISTER_LIST(blocks)};

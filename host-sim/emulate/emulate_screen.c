@@ -149,7 +149,7 @@ int emulate_screen(const struct emulation *e)
     const uint16_t width = panel_width(e->board->panel, e->board->rotation);
     const uint16_t height = panel_height(e->board->panel, e->board->rotation);
     struct ppm picture = {width, height, malloc((size_t)width * height * 3)};
-    if (emulate_registers_open(&registers, &registers_lm3s6965) != 0 || picture.rgb == NULL) {
+    if (emulate_registers_open(&registers, &lm3s6965_registers) != 0 || picture.rgb == NULL) {
         emulate_registers_close(&registers);
         free(picture.rgb);
         return complain("not enough memory for a picture");

@@ -209,7 +209,7 @@ int emulate_trace(const struct emulation *e)
                                        .resent = resent};
     t.picture = (struct ppm){width, height, malloc((size_t)width * height * 3)};
     t.wire = wire_replay_open(&config);
-    if (emulate_registers_open(&t.registers, &registers_stm32f4) != 0 || t.picture.rgb == NULL || t.wire == NULL) {
+    if (emulate_registers_open(&t.registers, &stm32f4_registers) != 0 || t.picture.rgb == NULL || t.wire == NULL) {
         emulate_registers_close(&t.registers);
         wire_replay_close(t.wire);
         free(t.picture.rgb);

@@ -439,10 +439,10 @@ static void check_table(const struct register_chip *table)
 static void the_tables_are_whole(void **state)
 {
     (void)state;
-    check_table(&registers_rp2040);
-    check_table(&registers_rp2350);
-    check_table(&registers_stm32f4);
-    check_table(&registers_lm3s6965);
+    check_table(&rp2040_registers);
+    check_table(&rp2350_registers);
+    check_table(&stm32f4_registers);
+    check_table(&lm3s6965_registers);
 }
 
 #define FRESH(test) cmocka_unit_test_setup_teardown(test, fresh, end)

@@ -163,7 +163,7 @@ static uint8_t memory[MOST];
 static void reset(bool has_crystal, bool has_pll)
 {
     registers_free(table);
-    table = registers_new(&registers_stm32f4, 1);
+    table = registers_new(&stm32f4_registers, 1);
     assert_non_null(table);
     memset(&chip, 0, sizeof chip);
     chip.memory = memory;

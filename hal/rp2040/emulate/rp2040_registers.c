@@ -17,7 +17,7 @@ struct access {
 
 int main(void)
 {
-    struct registers *registers = registers_new(&registers_rp2040, 2);
+    struct registers *registers = registers_new(&rp2040_registers, 2);
     struct access a;
     while (registers != NULL && fread(&a, sizeof a, 1, stdin) == 1) {
         const uint32_t core = (a.how & CORE_1) != 0, bytes = a.how >> BYTES_SHIFT;

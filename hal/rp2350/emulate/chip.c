@@ -61,7 +61,7 @@ void chip_reset(struct chip *chip)
 void chip_init(struct chip *chip, uint32_t cores, const uint8_t *image, uint32_t bytes)
 {
     chip->flash = malloc(FLASH_BYTES);
-    chip->registers = registers_new(&registers_rp2350, CORES);
+    chip->registers = registers_new(&rp2350_registers, CORES);
     if (chip->flash == NULL || chip->registers == NULL) {
         abort();
     }
