@@ -159,21 +159,25 @@ short "flash_in_direct_mode" objects 'reads flash at 10001000 while the QMI is i
 short "a_command_that_is_not_sent" objects 'flash is read without a command, which the flash expects' <<<"set 0x10, 0x482a8; $reads"
 short "a_command_too_much" objects 'flash is read with a command, which the flash takes for an address' <<<"set 0x14, 0xa0eb; $reads; ldr r0, [r5, #0x800]"
 short "dummy_clocks_too_few" objects 'which is not how it answers' <<<"set 0x10, 0x392a8; $reads"
-short "a_clock_that_is_too_fast_for_the_pads" objects 'flash is read at 150.0 MHz with slow pads' <<<"store 0x40048000, 0xfabaa0; store 0x40050000, 1; store 0x40050008, 125; store 0x4005000c, 0x52000; store 0x40050004, 0; store 0x4001003c, 1; set 0x0c, 0x40000201; $reads; .ltorg"
-short "a_sample_that_is_too_early" objects 'change less than 3 ns from where M0_TIMING 40000003 samples' <<<"store 0x40048000, 0xfabaa0; store 0x40050000, 1; store 0x40050008, 125; store 0x4005000c, 0x52000; store 0x40050004, 0; store 0x4001003c, 1; set 0x0c, 0x40000003; $reads; .ltorg"
-short "a_reserved_bit_of_M0_TIMING" objects 'M0_TIMING is written with 40000803, of which bits 00000800' <<<'set 0x0c, 0x40000803'
-short "a_field_that_is_not_modelled" objects 'M0_RFMT is written with 100492a8, of which bits 10000000' <<<'set 0x10, 0x100492a8'
-short "a_window_that_changes_while_a_read_goes_on" objects 'M0_RFMT changes while the QMI is busy' <<<"$reads; set 0x10, 0x482a8"
+crystal='store 0x4004800c, 47; store 0x40048000, 0xfabaa0; 7: see 0x40048004; lsls r1, r1, #1; bcc 7b'
+at_150_mhz="$crystal; store 0x40050008, 125; store 0x40053004, 0x21; 7: see 0x40050000; lsls r1, r1, #1; bcc 7b
+    store 0x4005000c, 0x52000; store 0x40053004, 8
+    store 0x4001303c, 1; see 0x40010044; store 0x4001303c, 0x40; store 0x4001203c, 1"
+short "a_clock_that_is_too_fast_for_the_pads" objects 'flash is read at 150.0 MHz with slow pads' <<<"$at_150_mhz; set 0x0c, 0x40000201; $reads; .ltorg"
+short "a_sample_that_is_too_early" objects 'change less than 3 ns from where M0_TIMING 40000003 samples' <<<"$at_150_mhz; set 0x0c, 0x40000003; $reads; .ltorg"
+short "a_reserved_bit_of_M0_TIMING" objects 'M0_TIMING (400d000c) = 40000803: bits 800 are not in the table' <<<'set 0x0c, 0x40000803'
+short "a_field_that_is_not_modelled" objects 'M0_RFMT (400d0010) = 100492a8: bits 10000000 are not in the table' <<<'set 0x10, 0x100492a8'
+short "a_window_that_changes_while_a_read_goes_on" objects 'M0_RFMT (400d0010) = 000482a8: flash may be read meanwhile' <<<"$reads; set 0x10, 0x482a8"
 short "a_flash_that_is_selected_while_a_read_goes_on" objects 'selects or releases the flash while the QMI is busy' <<<"$reads; set 0, 0x7800005"
 short "a_flash_that_is_released_too_early" objects 'selects or releases the flash while the QMI is busy' <<<'set 0, 0x7800005; set 4, 0x9f; set 0, 0x7800001'
 short "a_byte_that_nobody_is_selected_for" objects 'or nothing selects the flash' <<<'set 4, 0x9f'
 short "an_answer_that_is_not_there_yet" objects 'DIRECT_RX is read, but is empty' <<<'set 0, 0x7800005; set 4, 0x9f; ldr r0, [r4, #8]'
 short "too_many_bytes_at_once" objects 'DIRECT_RX is full' <<<'set 0, 0x7800005; set 4, 0x9f; set 4, 0; set 4, 0; set 4, 0; set 4, 0'
-short "the_second_chip_select" objects 'select no device' <<<'set 0, 0x7800009'
+short "the_second_chip_select" objects 'DIRECT_CSR (400d0000) = 07800009: bits 8 are not in the table' <<<'set 0, 0x7800009'
 short "an_unknown_command" objects 'the flash got a command c7, which is not modelled' <<<'set 0, 0x7800005; set 4, 0xc7'
-short "a_status_that_wears" objects 'written without 50h, or not both' <<<'set 0, 0x7800005; set 4, 0x100001; set 4, 0x100000; set 4, 0x100002; settle; set 0, 0x7800001'
-short "pads_that_are_off" objects 'flash is read, but its pads are off' <<<"store 0x40040008, 0x156; $reads; .ltorg"
-short "another_voltage" objects 'the flash'"'"'s pads have 3.3 V' <<<'store 0x40040000, 1; .ltorg'
-short "a_window_without_a_device" objects 'register 20 of the QMI cannot be written' <<<'set 0x20, 0'
+short "a_status_that_wears" objects 'written without 50h, or not both' <<<'set 0, 0x7800005; set 4, 1; set 4, 0; set 4, 2; settle; set 0, 0x7800001'
+short "pads_that_are_off" objects 'SD[0] (40040008) = 00000156: bits 100 are not in the table' <<<"store 0x40040008, 0x156; $reads; .ltorg"
+short "another_voltage" objects '(40040000) = 00000001: no such register in the table' <<<'store 0x40040000, 1; .ltorg'
+short "a_window_without_a_device" objects '(400d0020) = 00000000: no such register in the table' <<<'set 0x20, 0'
 short "an_address_beyond_the_flash" complains 'reads 4 bytes at 11000000, where nothing is' <<<'ldr r0, =0x11000000; ldr r0, [r0]'
 tap_end
