@@ -229,7 +229,7 @@ static uint32_t after(uint32_t old, uint32_t alias, uint32_t value)
 static void keep(struct registers *r, struct cell *cell, uint64_t time_ns, uint32_t value, bool command)
 {
     const uint32_t changed = command ? value : cell->value ^ value;
-    for (uint32_t i = 0; changed >> i != 0 && i < 32; i++) {
+    for (uint32_t i = 0; i < 32 && changed >> i != 0; i++) {
         if ((changed >> i & 1) != 0) {
             cell->changed_at[i] = r->accesses;
             cell->changed_ns[i] = time_ns;
