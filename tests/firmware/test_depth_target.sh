@@ -15,10 +15,18 @@ has_no_floating_point() {
     ! arm-none-eabi-nm "$elf" | grep -E ' (__aeabi_[df](add|sub|mul|div|2)|__(add|sub|mul|div)[sd]f3|malloc|free)'
 }
 
-# Requests go in as a person types them; one of them is none.
+# Requests go in as a person types them, when the image asks: before that its UART is off. One of them is none.
+types() {
+    local tries=0
+    until grep -q '^near' "$dir/uart" || [ $((tries++)) -ge 3000 ]; do sleep 0.1; done
+    printf '0.1 1000 fixed16\r\nnonsense\n1 4 all\nend\n'
+}
+
 runs() {
-    printf '0.1 1000 fixed16\r\nnonsense\n1 4 all\nend\n' | timeout -k 5 2000 qemu-system-arm -M lm3s6965evb -nographic -monitor none \
-        -serial stdio -semihosting-config enable=on,target=native -kernel "$elf" >"$dir/uart" && [ "$(grep -cx 'done' "$dir/uart")" = 2 ]
+    mkfifo "$dir/typed" && : >"$dir/uart" || return 1
+    types >"$dir/typed" &
+    timeout -k 5 2000 qemu-system-arm -M lm3s6965evb -nographic -monitor none -serial stdio -semihosting-config enable=on,target=native \
+        -kernel "$elf" <"$dir/typed" >"$dir/uart" && [ "$(grep -cx 'done' "$dir/uart")" = 2 ]
 }
 
 asks_and_refuses() { [ "$(grep -c '^near \[m\], far \[m\], format' "$dir/uart")" -ge 4 ] && [ "$(grep -cx 'no such request' "$dir/uart")" = 1 ]; }
