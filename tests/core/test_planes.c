@@ -4,7 +4,8 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "planes.h"
+#include "../../firmware/core/render/planes.c" /* NOLINT(bugprone-suspicious-include): for times_wide */
+#include "vertex.h"
 
 /* Of a triangle whose second corner is 64 px above, and whose third is dx2 / 256 px to the right and d2 nearer. */
 static int32_t gradient(int32_t dx2, uint32_t d2)
@@ -28,6 +29,21 @@ static void gradients_that_round_up_to_half_the_range_keep_their_sign(void **sta
     }
 }
 
+/* Every length of a side with the ends of each carry. d n is linear in d between two ends. */
+static void wide_products_are_exact_for_every_side(void **state)
+{
+    (void)state;
+    const int64_t two31 = (int64_t)1 << 31;
+    const int64_t ends[] = {-2 * two31 + 1, -two31 - 1, -two31, -1, 0, two31 - 1, two31, 2 * two31 - 1};
+    for (int32_t n = -2 * (PH_REACH + 128); n <= 2 * (PH_REACH + 128); n++) {
+        for (unsigned int i = 0; i < sizeof(ends) / sizeof(*ends); i++) {
+            if (times_wide(ends[i], n) != ends[i] * n) {
+                fail_msg("%lld times %d", (long long)ends[i], (int)n);
+            }
+        }
+    }
+}
+
 static void slopes_of_floats_round_without_overflow(void **state)
 {
     (void)state;
@@ -45,6 +61,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gradients_that_round_up_to_half_the_range_keep_their_sign),
+        cmocka_unit_test(wide_products_are_exact_for_every_side),
         cmocka_unit_test(slopes_of_floats_round_without_overflow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -40,6 +40,42 @@ static struct plane_base any_base(struct triangle *t)
                                i32_between(is_short ? 3 : -10, 31)};
 }
 
+#define SIDE         (2 * REACH)
+#define WIDE_PRODUCT (POWER(32) * SIDE)
+
+/* Stands for fx_mul_wide in proof_times_wide. */
+int64_t any_product(int32_t a, int32_t n)
+{
+    (void)a;
+    CLAIM(n >= -SIDE && n <= SIDE);
+    return i64_between(-POWER(31) * SIDE, POWER(31) * SIDE);
+}
+
+/* The upper two bits of d are constants in each call, which spares the solver a product. test_planes.c finds the results
+ * exact, so that they are within WIDE_PRODUCT. */
+void proof_times_wide(void)
+{
+    const int64_t least[] = {-POWER(32), -POWER(31), 0, POWER(31)};
+    for (int i = 0; i < 4; i++) {
+        times_wide(least[i] | (nondet_u32() & 0x7fffffff), i32_between(-SIDE, SIDE));
+    }
+}
+
+/* Stands for times_wide in proof_wide_gradient. */
+int64_t any_wide_product(int64_t d, int32_t n)
+{
+    CLAIM(d > -POWER(32) && d < POWER(32) && n >= -SIDE && n <= SIDE);
+    return i64_between(-WIDE_PRODUCT, WIDE_PRODUCT);
+}
+
+/* Stands for fx_mul_wide in proof_wide_gradient: a number of 32 bits times a reciprocal. */
+int64_t any_quotient(int32_t a, int32_t b)
+{
+    (void)a;
+    CLAIM(b >= 0 && b <= POWER(30));
+    return i64_between(-POWER(61), POWER(61));
+}
+
 void proof_wide_gradient(void)
 {
     struct triangle t;
