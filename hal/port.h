@@ -16,7 +16,7 @@ extern const struct board *const board_here;
 /* Writes text to the log UART (115200 8N1). Returns when all of it is in the transmitter. */
 void port_log(const char *text);
 
-/* The next byte from the log UART, or -1 if none waits. */
+/* The next byte from the log UART, or -1 if none waits or the one that came is damaged: a command must not be noise. */
 int port_log_read(void);
 
 /* Reboots into the chip's own USB boot loader. Returns if the chip has none. */

@@ -5,6 +5,7 @@
  */
 #include "board.h"
 #include "port.h"
+#include "chips/pl011.h"
 #include "chips/spi_clock.h"
 #include "cortexm/start.h"
 
@@ -113,7 +114,7 @@ static void start_clock(void)
  * off, so the FIFO is there before the crystal starts. */
 static void set_up_uart(void)
 {
-    kit.early = (UART_FR & FR_RXFE) != 0 ? -1 : (int)(UART_DR & 255); /* the set-up empties the FIFO */
+    kit.early = (UART_FR & FR_RXFE) != 0 ? -1 : pl011_byte(UART_DR); /* the set-up empties the FIFO */
     UART_CTL = 0;
     UART_IBRD = 27; /* 50 MHz / 16 / 115200 = 27 + 8 / 64 */
     UART_FBRD = 8;
@@ -169,7 +170,7 @@ int port_log_read(void)
 {
     const int early = kit.early;
     kit.early = -1;
-    return early >= 0 || (UART_FR & FR_RXFE) != 0 ? early : (int)(UART_DR & 255);
+    return early >= 0 || (UART_FR & FR_RXFE) != 0 ? early : pl011_byte(UART_DR);
 }
 
 void port_boot_loader(void)

@@ -1,5 +1,6 @@
 /* See port.h: the log on UART0, 115200 8N1, TX GP0, RX GP1. All boards leave these pins free. */
 #include "port.h"
+#include "chips/pl011.h"
 #include <registers.h>
 #include "rp2040.h"
 
@@ -29,5 +30,5 @@ void port_log(const char *text)
 
 int port_log_read(void)
 {
-    return (REG(UART0_FR) & FR_RXFE) != 0 ? -1 : (int)(REG(UART0_DR) & 0xff);
+    return (REG(UART0_FR) & FR_RXFE) != 0 ? -1 : pl011_byte(REG(UART0_DR));
 }

@@ -42,12 +42,14 @@
 #define CR1_BR  (7U << 3)
 #define CR1_SPE 64U
 
-#define USART_SR   REG32(0x40004800)
-#define USART_DR   REG32(0x40004804)
-#define USART_BRR  REG32(0x40004808)
-#define USART_CR1  REG32(0x4000480C)
-#define USART_RXNE 32U
-#define USART_TXE  128U
+#define USART_SR      REG32(0x40004800)
+#define USART_DR      REG32(0x40004804)
+#define USART_BRR     REG32(0x40004808)
+#define USART_CR1     REG32(0x4000480C)
+#define USART_DAMAGED 7U /* parity, framing, noise */
+#define USART_ORE     8U
+#define USART_RXNE    32U
+#define USART_TXE     128U
 
 #define DMA_HISR  REG32(0x40026004)
 #define DMA_HIFCR REG32(0x4002600C)
@@ -249,9 +251,18 @@ void port_log(const char *text)
     }
 }
 
+/*
+ * After an overrun the USART receives nothing until DR has been read, also where no byte waits (RM0090, 30.3.3). The
+ * byte that waits is whole then; the lost one came after it.
+ */
 int port_log_read(void)
 {
-    return (USART_SR & USART_RXNE) != 0 ? (int)(USART_DR & 255) : -1;
+    const uint32_t status = USART_SR;
+    if ((status & (USART_RXNE | USART_ORE)) == 0) {
+        return -1;
+    }
+    const uint32_t byte = USART_DR & 255; /* clears the errors of the status that was read */
+    return (status & USART_RXNE) != 0 && (status & USART_DAMAGED) == 0 ? (int)byte : -1;
 }
 
 /* ---- the bus ---------------------------------------------------------------------------------------- */

@@ -295,6 +295,26 @@ static void a_stop_in_a_transfer_leaves_the_bus_to_the_cpu(void **state)
     assert_int_equal(chip.sent, 20);
 }
 
+/* RM0090, 30.6.1: PE, FE and NF are bits 0 to 2 of SR, ORE is bit 3, RXNE bit 5. */
+static void a_damaged_byte_is_not_taken_and_an_overrun_is_ended(void **state)
+{
+    (void)state;
+    reset(true, true);
+    port_start();
+    for (uint32_t errors = 0; errors < 16; errors++) {
+        *word(0x40004800) = 1u << 5 | errors;
+        *word(0x40004804) = 'B';
+        assert_int_equal(port_log_read(), (errors & 7) == 0 ? 'B' : -1);
+        assert_int_equal(chip.last, 0x40004804); /* a read of DR clears the errors */
+    }
+    *word(0x40004800) = 1u << 3;
+    assert_int_equal(port_log_read(), -1);
+    assert_int_equal(chip.last, 0x40004804);
+    *word(0x40004800) = 0;
+    assert_int_equal(port_log_read(), -1);
+    assert_int_equal(chip.last, 0x40004800);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -306,6 +326,7 @@ int main(void)
         cmocka_unit_test(the_next_write_waits_and_d_c_moves_between_bytes),
         cmocka_unit_test(a_fault_of_the_bus_is_told),
         cmocka_unit_test(without_dma_the_bytes_are_the_same),
+        cmocka_unit_test(a_damaged_byte_is_not_taken_and_an_overrun_is_ended),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
