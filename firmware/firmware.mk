@@ -93,6 +93,7 @@ IMAGE_RAM := $(if $(filter-out cores%,$(RAM_CODE)),-$(RAM_CODE))
 SCENE_NAME := $(basename $(notdir $(SCENE)))
 IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)$(IMAGE_RAM)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
+EMULATE_DIR := $(B)/emulate/$(IMAGE_NAME:$(BOARD)-demos%=$(BOARD)%)
 SCENE_C := $(if $(SCENE),$(IMAGE).scene.c)
 IMAGE_FLASH_BYTES = $(CHIP_FLASH_BYTES)$(if $(UF2_APP_BASE), - ($(UF2_APP_BASE) - $(UF2_BASE)))# an image fits wherever it begins
 BOARD_SYMBOL := board_$(subst -,_,$(BOARD))
@@ -128,10 +129,10 @@ endif
 flash: $(if $(and $(PORT_SCENE),$(filter %.phs,$(SCENE))),,firmware) $(FLASH_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [SERIAL=S]: builds an image and writes it into the flash of the board that is plugged in
 	$(Q)$(FLASH)
 
-emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [FRAMES=n]: runs it in an emulator; frames go to build/emulate/x/
+emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [FRAMES=n]: runs it in an emulator; frames go to build/emulate/x/ (CORES=2: x-cores2/)
 	@case '$(FRAMES)' in '' | 0* | *[!0-9]* | ???????*) echo "make emulate: FRAMES='$(FRAMES)': a whole number, 1 .. 999999" >&2; exit 2 ;; esac
-	$(Q)rm -rf '$(B)/emulate/$(BOARD)'; mkdir -p '$(B)/emulate/$(BOARD)'
-	$(Q)$(EMULATE) '$(IMAGE).elf' '$(B)/emulate/$(BOARD)' '$(FRAMES)'
+	$(Q)rm -rf '$(EMULATE_DIR)'; mkdir -p '$(EMULATE_DIR)'
+	$(Q)$(EMULATE) '$(IMAGE).elf' '$(EMULATE_DIR)' '$(FRAMES)'
 
 speed: ## BOARD=x of an RP2040 or RP2350: frames/s and load of each core for every demo, with one core and with two, emulated
 	$(Q)$(NO_BOARD)$(or $(SPEED),echo 'make speed: BOARD=$(BOARD): only the boards of an RP2040 or RP2350 have an emulator whose bus takes time' >&2; exit 2)

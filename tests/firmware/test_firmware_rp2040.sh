@@ -183,6 +183,13 @@ make_emulate() {
         [ -s "$B/emulate/$board/frame-0000.ppm" ] && grep -q 'frames/s.*load of core 0' "$dir/said"
 }
 
+# What one core drew stays beside what two draw, to compare them.
+images_have_folders_of_their_own() {
+    local crc
+    crc=$(cksum <"$B/emulate/$board/frame-0000.ppm") && make_image emulate BOARD="$board" CORES=2 FRAMES=2 >"$dir/said" 2>/dev/null &&
+        [ -s "$B/emulate/$board-cores2/frame-0001.ppm" ] && [ "$(cksum <"$B/emulate/$board/frame-0000.ppm")" = "$crc" ] && [ ! -e "$B/emulate/$board/frame-0001.ppm" ]
+}
+
 check "images_are_within_their_budgets" builds
 check "every_demo_is_the_simulators" every_demo 1
 check "the_panel_is_dark_until_its_first_frame" order_is "$board" 'init [^;]*;first frame;display on;backlight [^;]*;$'
@@ -208,4 +215,5 @@ check "a_frame_is_on_its_bus_for_as_long_as_in_the_simulator" bus_is_the_simulat
 check "what_a_frame_needs_runs_from_RAM" frames_from_ram
 check "an_interrupted_emulator_leaves_nothing_behind" interrupted
 check "make_emulate_writes_pictures" make_emulate
+check "images_of_one_core_and_of_two_have_folders_of_their_own" images_have_folders_of_their_own
 tap_end
