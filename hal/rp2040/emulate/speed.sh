@@ -2,7 +2,8 @@
 # Usage: speed.sh BOARD [POINTS [DEMO...]]
 # Prints frames/s of every demo on an emulated RP2040 board, or with CHIP=rp2350 (and ISA=arm|riscv) on an RP2350's, with one core and with two, as rows of a Markdown table, each as
 # soon as its demo has been drawn. "ideal flash" is the rate if flash were as fast as RAM; load is that of each core (core 0
-# sleeps while core 1 finishes its half); sent is the part of a whole frame's bytes; left out are triangles and vertices.
+# sleeps while core 1 finishes its half); sent are the bytes of a frame, where a whole one is 1.00 (more: the commands of windows);
+# left out are triangles and vertices.
 # Each DEMO (all that the select button reaches) is drawn at POINTS (6) points of its cycle, evenly spaced: two frames, or six at
 # the first one, so that what was sent before and the first trial of whole frames count no more, and two frames whose mean
 # counts.
@@ -99,7 +100,7 @@ wait_for() { # folder, frame; of an emulator that has failed the last lines are 
 echo "demo,cores,fps,fps_flash_ideal,load0,load1,sent_pct,dropped" >"$dir/csv"
 printf '| frames/s; the bus %.1f |%s\n' "$(awk "BEGIN { print 1e6 / $whole }")" "$(for cores in ${CORES:-1 2}; do
     echo -n " $cores core$([ "$cores" = 1 ] || echo s) | ideal flash | load |"; [ "$cores" = 1 ] || echo -n " load |"
-    echo -n " sent | left out |"
+    echo -n " sent (whole: 1.00) | left out |"
 done)"
 while read -r first n demo; do
     [ "$n" -gt 2 ] || continue
@@ -115,7 +116,7 @@ while read -r first n demo; do
                 100 * bus / whole, out >>csv
             printf " %.1f%s | %s | %.0f %% |", fps, (late > 0.03 * whole ? " !" : ""), ideal == "" ? "" : sprintf("%.1f", ideal), load0
             if (cores > 1) { printf " %.0f %% |", load1 }
-            printf " %.0f %% | %d |", 100 * bus / whole, out }')
+            printf " %.2f | %d |", bus / whole, out }')
     done
     echo "$row" | tee -a "$dir/table"
 done <"$dir/demos"
