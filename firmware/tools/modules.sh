@@ -15,12 +15,12 @@ awk '
     # The section before this address. Merged strings may stand with their size before: they end where the next begins.
     function count(end) {
         if (end >= at && end < at + bytes) { bytes = end - at }
-        if (bytes == 0 || part ~ /^\.(debug|comment|ARM\.attributes|stab)/) { return }
+        if (bytes == 0 || part ~ /^\.(debug|comment|[A-Za-z]*\.attributes|stab)/) { return }
         sub(/.*-objects\//, "", module)
         sub(/\.o$/, "", module)
         if (module ~ /\.a\(/) { sub(/.*\//, "", module) }
         if (part ~ /^\.(bss|stack|noinit|scratch)/) { ram[module] += bytes } else { flash[module] += bytes }
-        if (part ~ /^\.(data|ram_?text)/) { ram[module] += bytes }
+        if (part ~ /^\.(data|ram_?text)/ || (part == ".ARM.exidx" && at >= 536870912)) { ram[module] += bytes }
         kept[part] += bytes
         all[module]
     }

@@ -269,7 +269,7 @@ check "names_that_cannot_be_are_one_clear_line" names_that_cannot_be_are_told
 check "names_of_other_tongues_can_be" names_of_other_tongues_can_be
 check "what_is_too_large_is_one_line_and_leaves_nothing" too_large_is_one_line_and_leaves_nothing
 check "the_sizes_of_the_modules_add_up" size_adds_up
-for of in "$board" pico-display; do
+for of in "$board" pico-display pico2-display; do
     check "all_of_flash_and_RAM_of_${of}_has_a_name" sizes_are_those_of_the_image "$of"
 done
 check "what_is_free_is_said_in_bytes" what_is_free_is_said_in_bytes
