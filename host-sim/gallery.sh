@@ -24,7 +24,7 @@ done
 # shellcheck disable=SC2086 # names without spaces, one word each
 "$B/pinhole-sheet" --width 1524 --out "$work/demos.ppm" $all
 save "$work/demos.ppm"
-"$B/pinhole-depth" plot resolve --near 0.1 --far 1000 --format fixed16,float16,fixed24,float24,linear-w,ndc-q16 --out "$to/depth.png"
+"$B/pinhole-depth" plot resolve --near 0.1 --far 1000 --depth fixed16,float16,fixed24,float24,linear-w,ndc-q16 --out "$to/depth.png"
 B=$B host-sim/demo.sh >"$work/log"
 cp "$B/demo/contact-sheet.ppm" "$work"
 save "$work/contact-sheet.ppm"

@@ -6,13 +6,18 @@
 #include <stdio.h>
 #include <string.h>
 
+static bool is_name(const char *name, const char *text, size_t length)
+{
+    return name != NULL && strlen(name) == length && memcmp(name, text, length) == 0;
+}
+
 const struct option_row *option_table_find(const struct option_table *table, const char *text)
 {
     const size_t length = strcspn(text, "=");
     for (size_t i = 0; i < table->count && strncmp(text, "--", 2) == 0; i++) {
-        const char *name = table->rows[i].name;
-        if (strlen(name) + 2 == length && memcmp(name, text + 2, length - 2) == 0) {
-            return &table->rows[i];
+        const struct option_row *row = &table->rows[i];
+        if (is_name(row->name, text + 2, length - 2) || is_name(row->alias, text + 2, length - 2)) {
+            return row;
         }
     }
     return NULL;
@@ -68,8 +73,9 @@ int option_table_read(const struct option_table *table, void *options, int argc,
         return complain_usage("%s: no such option; %s--help lists them", text, suggest(table, text));
     }
     const char *equals = strchr(text, '='), *value = equals != NULL ? equals + 1 : NULL;
+    const char *const name = is_name(row->name, text + 2, strcspn(text, "=") - 2) ? row->name : row->alias;
     if (row->argument == NULL && value != NULL) {
-        return complain_usage("--%s takes no value", row->name);
+        return complain_usage("--%s takes no value", name);
     }
     const bool optional = row->argument != NULL && row->argument[0] == '[';
     if (optional && value == NULL && i + 1 < argc && argv[i + 1][0] != '-') {
@@ -77,12 +83,12 @@ int option_table_read(const struct option_table *table, void *options, int argc,
     } else if (row->argument != NULL && !optional && value == NULL) {
         value = ++i < argc ? argv[i] : NULL;
         if (value == NULL) {
-            return complain_usage("--%s needs a value: %s", row->name, row->argument);
+            return complain_usage("--%s needs a value: %s", name, row->argument);
         }
     }
     if (!store(row, options, value)) {
         const char *const meant = row->names != NULL ? nearest_text(value, row->names, NULL) : "";
-        return complain_usage("--%s '%s': must be %s%s%.*s", row->name, value, row->allowed, *meant != '\0' ? "; " : "",
+        return complain_usage("--%s '%s': must be %s%s%.*s", name, value, row->allowed, *meant != '\0' ? "; " : "",
                               *meant != '\0' ? (int)strlen(meant) - 1 : 0, meant);
     }
     return i + 1;
@@ -115,6 +121,9 @@ void option_table_help(const struct option_table *table)
                row->help);
         if (row->allowed != NULL) {
             printf("        takes: %s\n", row->allowed);
+        }
+        if (row->alias != NULL) {
+            printf("        also: --%s\n", row->alias);
         }
     }
     puts("  --version\n        as the only word: prints the version"); /* complain_begin() answers it */

@@ -22,6 +22,7 @@ struct option_row {
     uint32_t least, most; /* of a whole number */
     const char *words;    /* the only ones that a const char * may be, with | between them; NULL: any */
     nearest_list *names;  /* what a wrong value may have meant; NULL: no list */
+    const char *alias;    /* another name of the option, without "--"; NULL: none */
 };
 
 struct option_table {

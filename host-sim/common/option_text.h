@@ -36,6 +36,7 @@ bool option_text_depth(const char *text, struct option_depth *out);
 const char *option_text_depth_name(struct option_depth depth, char text[OPTION_DEPTH_NAME]);
 
 /* The values of --depth, in words. */
+#define OPTION_DEPTH_ALIAS  "format" /* the other name of --depth, in all programs */
 #define OPTION_DEPTH_VALUES "auto, fixed16, fixed24, linear-w, float16, float24, or a float with -e3 .. -e6 behind it"
 
 /* Returns whether the name of a file has this ending and something before it. */

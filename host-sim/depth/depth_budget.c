@@ -122,7 +122,7 @@ int depth_budget(const struct depth_lab *lab)
     const uint32_t count = lab->at_count > 0 ? lab->at_count : default_distances(lab, distances);
     const uint32_t rows = depth_drawn_formats(lab);
     if (rows == 0) {
-        return complain_usage("--format: budget draws with the renderer's own formats; --help lists them");
+        return complain_usage("--depth: budget draws with the renderer's own formats; --help lists them");
     }
     fputs("format,bits,near,far,z_m,part,predicted_m,measured_m,dominant\n", lab->rows);
     int status = 0;

@@ -16,9 +16,9 @@
 
 struct depth_lab {
     fx_t near_z, far_z;     /* --near, --far: 0 < near_z < far_z */
-    uint32_t formats;       /* --format: bit i is row i of lab_formats */
-    bool format_set;        /* --format was given */
-    uint32_t host_formats;  /* --format: bit i is row i of depth_ieee_formats (pairs alone) */
+    uint32_t formats;       /* --depth: bit i is row i of lab_formats */
+    bool format_set;        /* --depth was given */
+    uint32_t host_formats;  /* --depth: bit i is row i of depth_ieee_formats (pairs alone) */
     fx_t fov_deg;           /* --fov, vertical */
     uint16_t width, height; /* --size */
     const char *csv;        /* --csv: a file, "-", or NULL: a table for people */

@@ -152,9 +152,9 @@ static const struct option_row rows[] = {
     {"near", "N", "distance of the near plane; 0.5 by default", STEP_TEXT, .set = set_near},
     {"far", "F", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
      .set = set_far},
-    {"format", "NAME[,NAME...]|all",
+    {"depth", "NAME[,NAME...]|all",
      "formats, listed below; all by default, but for floats with -eN bits of exponent behind the name",
-     "names that --help lists, or all", .set = set_format},
+     "names that --help lists, or all", .set = set_format, .alias = OPTION_DEPTH_ALIAS},
     {"fov", "DEG",
      "vertical field of view; 60 by default. It does not matter for planes that face the camera, as pairs, resolve,\n"
      "        monotone and advise measure them",
@@ -271,7 +271,7 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
     }
     const uint32_t every = ((uint32_t)1 << DEPTH_IEEE_FORMATS) - 1;
     if (lab->host_formats != 0 && (lab->host_formats != every || lab->formats == 0) && command->run != depth_pairs) {
-        return complain_usage("--format: %s measures no float32 format; pairs does", command->name);
+        return complain_usage("--depth: %s measures no float32 format; pairs does", command->name);
     }
     struct ph_projection projection;
     if (depth_lab_projection(lab, &projection) != 0) {

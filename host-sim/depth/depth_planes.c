@@ -265,7 +265,7 @@ int depth_planes(const struct depth_lab *lab)
     }
     const uint32_t rows = depth_drawn_formats(lab);
     if (rows == 0) {
-        return complain_usage("--format: planes draws with the renderer's own formats; --help lists them");
+        return complain_usage("--depth: planes draws with the renderer's own formats; --help lists them");
     }
     fputs("format,bits,near,far,z_m,tilt_deg,s_min_predicted_m,at_tilt_predicted_m,measured_m,ratio,azimuth_deg,"
           "shading\n",

@@ -285,7 +285,7 @@ static void put_resolve_lower(const struct depth_lab *lab, FILE *script)
     fputs("unset multiplot\n", script);
 }
 
-/* Few curves can be read: without --format those that the renderer draws, and some to compare with. */
+/* Few curves can be read: without --depth those that the renderer draws, and some to compare with. */
 static uint32_t formats_of(const struct depth_lab *lab, uint32_t others)
 {
     return lab->format_set ? lab->formats : depth_drawn_formats(lab) | others;

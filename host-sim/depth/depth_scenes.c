@@ -273,7 +273,7 @@ int depth_scenes(const struct depth_lab *lab)
 {
     const uint32_t rows = depth_drawn_formats(lab);
     int status =
-        rows != 0 ? 0 : complain_usage("--format: scenes draws with the renderer's own formats; --help lists them");
+        rows != 0 ? 0 : complain_usage("--depth: scenes draws with the renderer's own formats; --help lists them");
     fputs("format,bits,near,far,scene,shading,pixels,wrong,largest_wrong_m,at_m,step_m\n", lab->rows);
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
         const struct depth_lab own = depth_lab_of(lab, i);

@@ -39,7 +39,7 @@ int depth_slopes(const struct depth_lab *lab)
     const uint32_t rows = depth_drawn_formats(lab);
     const double middle = (depth_metres(lab->near_z) + depth_metres(lab->far_z)) / 2;
     int status =
-        rows != 0 ? 0 : complain_usage("--format: slopes draws with the renderer's own formats; --help lists them");
+        rows != 0 ? 0 : complain_usage("--depth: slopes draws with the renderer's own formats; --help lists them");
     fputs("format,bits,near,far,z_m,shading,tilt_deg,bound_m,measured_m,ratio\n", lab->rows);
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
         const struct depth_lab own = depth_lab_of(lab, i);

@@ -113,6 +113,14 @@ static bool set_diff(void *to, const char *value)
     return found >= 0;
 }
 
+static bool set_list(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    (void)value;
+    o->command = PANEL_LIST;
+    return true;
+}
+
 static bool set_help(void *to, const char *value)
 {
     struct panel_options *o = to;
@@ -166,11 +174,12 @@ static const struct option_row rows[] = {
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
      .at = offsetof(struct panel_options, band), .least = 1, .most = LINES_LIMIT},
     {"depth", "FORMAT", "what the depth buffer holds; auto by default, as in pinhole-sim", OPTION_DEPTH_VALUES,
-     .set = set_depth},
+     .set = set_depth, .alias = OPTION_DEPTH_ALIAS},
     {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,
      .at = offsetof(struct panel_options, overlay)},
     {"stats", NULL, "frames a second, bytes and bus share, once a second on stderr", NULL,
      .at = offsetof(struct panel_options, stats)},
+    {"list", NULL, "prints the boards and the panels, as the command list does", NULL, .set = set_list},
     {"help", NULL, "prints this, as does -h", NULL, .set = set_help},
 };
 

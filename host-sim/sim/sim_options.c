@@ -220,7 +220,7 @@ static const struct option_row rows[] = {
      "what the depth buffer holds; auto by default: fixed16 where far is at most 64 times near or the\n"
      "        projection is parallel, else float16. A float has N bits of exponent, by default those that the lens\n"
      "        needs (--stats names them). The 24-bit formats take twice the memory, linear-w a reciprocal per pixel",
-     OPTION_DEPTH_VALUES, .set = set_depth},
+     OPTION_DEPTH_VALUES, .set = set_depth, .alias = OPTION_DEPTH_ALIAS},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
      .at = offsetof(struct sim_options, band), .least = 1, .most = SIZE_LIMIT},
     {"aa", NULL, "antialiasing: 2 x 2 samples a pixel, in bands of a quarter of the height; at most 512x512 pixels",

@@ -264,7 +264,7 @@ writes_csv_to_a_file() { "$lab" pairs --count 10 --csv "$dir/out.csv" && csv pai
 help_names_everything() {
     "$lab" --help >"$dir/help" || return 1
     local word
-    for word in pairs resolve monotone advise anchors planes slopes scenes budget plot all --near --far --format --fov --size --csv --count --spacing --at --separate --separation --tilt --azimuth --shading --bits --out --help float24 ieee32-gl; do
+    for word in pairs resolve monotone advise anchors planes slopes scenes budget plot all --near --far --depth --format --fov --size --csv --count --spacing --at --separate --separation --tilt --azimuth --shading --bits --out --help float24 ieee32-gl; do
         grep -q -- "$word" "$dir/help" || { echo "$word" && return 1; }
     done
 }
@@ -307,7 +307,7 @@ check "no progress without a terminal" no_progress_without_a_terminal
 
 check "no command is wrong" refuses "which command"
 check "an unknown command is wrong" refuses "no such command" resolv
-check "an unknown option is wrong" refuses "no such option" pairs --depth 16
+check "an unknown option is wrong" refuses "no such option" pairs --deep 16
 check "an option of another command is wrong" refuses "does not take it" resolve --count 10
 check "near 0 is wrong" refuses "near '0'" pairs --near 0
 check "a near plane below half a step is wrong, and the step is named" refuses "near '.000001'.*at least one step of Q16.16, 1/65536" pairs --near .000001
