@@ -1,6 +1,7 @@
 #define _XOPEN_SOURCE 700 /* SIGXFSZ */
 
 #include "complain.h"
+#include "progress.h"
 #include "version.h"
 
 #include <errno.h>
@@ -26,6 +27,7 @@ __attribute__((format(printf, 1, 0))) static void print_line(const char *format,
     char line[1024];
     vsnprintf(line, sizeof line, format, arguments);
     complain_clean(line);
+    progress_clear();
     fprintf(stderr, "%s: %s\n", program_name, line);
 }
 
@@ -53,6 +55,11 @@ void complain_note(const char *format, ...)
     va_start(arguments, format);
     print_line(format, arguments);
     va_end(arguments);
+}
+
+const char *complain_program(void)
+{
+    return program_name;
 }
 
 int complain_exit(int status)

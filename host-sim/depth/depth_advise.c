@@ -4,6 +4,7 @@
  * with planes that lean (depth_planes_count.h), which the sub-pixel grid moves. For a scene see depth_advise_scene.c.
  */
 #include "complain.h"
+#include "progress.h"
 #include "depth_advise_scene.h"
 #include "depth_budget_terms.h"
 #include "depth_planes_count.h"
@@ -332,13 +333,17 @@ static int answer_all(struct question *q)
     const struct depth_lab *lab = q->lab;
     const struct lab_format *best = NULL;
     struct answer best_answer = {0, 0, {0, 0}};
-    uint32_t asked = 0;
+    uint32_t asked = 0, formats = 0;
+    for (uint32_t i = 0; i < lab_format_count; i++) {
+        formats |= (uint32_t)is_asked(lab, i) << i;
+    }
     for (uint32_t i = 0; i < lab_format_count; i++) {
         struct answer a = {0, 0, {0, 0}};
         const struct lab_format *format = &lab_formats[i];
-        if (!is_asked(lab, i)) {
+        if ((formats >> i & 1) == 0) {
             continue;
         }
+        depth_lab_progress("advise", formats, i);
         asked++;
         if (q->separate != 0) {
             a.least = least_near(q, format, q->separate);
@@ -355,6 +360,7 @@ static int answer_all(struct question *q)
         }
         put_row(q, format, &a);
     }
+    progress_show("advise", 1, 1);
     if (q->separate != 0 && asked > 0) {
         conclude(q, best, &best_answer);
     } else if (asked > 0) {

@@ -4,6 +4,7 @@
 #include "depth_budget_terms.h"
 #include "depth_layers.h"
 #include "lab_num.h"
+#include "progress.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -184,8 +185,10 @@ static int count_frame(struct scene_report *r, uint32_t frame)
         }
     }
     for (uint32_t k = 0; k < r->candidate_count && status == 0; k++) {
+        progress_show("formats", k, r->candidate_count);
         status = count_wrong(r, &r->candidates[k]);
     }
+    progress_show("formats", 1, 1);
     return status;
 }
 

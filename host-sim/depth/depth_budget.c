@@ -128,7 +128,7 @@ int depth_budget(const struct depth_lab *lab)
     int status = 0;
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
         const struct depth_lab own = depth_lab_of(lab, i);
-        progress_show("budget", i, lab_format_count);
+        depth_lab_progress("budget", rows, i);
         status = (rows >> i & 1) != 0 ? budget_format(&own, i, lab->at_count > 0 ? lab->at : distances, count) : 0;
     }
     progress_show("budget", 1, 1);

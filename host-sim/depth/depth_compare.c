@@ -4,6 +4,7 @@
 #include "complain.h"
 #include "depth_lab.h"
 #include "lab_request.h"
+#include "progress.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -76,6 +77,7 @@ static int compare_log(const struct depth_lab *lab, char *log)
         if (strncmp(line, LAB_REQUEST_MARK, mark) != 0) {
             continue;
         }
+        progress_show("compare", (uint64_t)(line - log), (uint64_t)(line - log) + strlen(line));
         char *const here = answer_of(line + mark), near_text[32], far_text[32], format[32];
         const int status = here == NULL ? COMPLAINED : compare_lines(line, here, &lines);
         free(here);
@@ -86,6 +88,7 @@ static int compare_log(const struct depth_lab *lab, char *log)
         fprintf(lab->rows, "%s,%s,%s,%u,same\n", near_text, far_text, format, lines);
         requests++;
     }
+    progress_show("compare", 1, 1);
     return requests > 0
                ? 0
                : complain("compare: the log has no answer; one begins with `" LAB_REQUEST_MARK "0.1 1000 float16`");

@@ -3,6 +3,7 @@
 #include "depth_lab.h"
 
 #include "complain.h"
+#include "progress.h"
 
 const char *const depth_shading_names[PH_SHADE_WIRE] = {"unlit", "flat", "gouraud", "texture", "texture-lit"};
 
@@ -17,6 +18,19 @@ struct depth_lab depth_lab_of(const struct depth_lab *lab, uint32_t row)
     struct depth_lab own = *lab;
     own.exponent = lab_formats[row].exponent;
     return own;
+}
+
+void depth_lab_progress(const char *what, uint32_t formats, uint32_t i)
+{
+    uint32_t done = 0, total = 0;
+    for (uint32_t k = 0; k < lab_format_count; k++) {
+        const uint32_t is_asked = formats >> k & 1;
+        total += is_asked;
+        done += k < i ? is_asked : 0;
+    }
+    if (done < total) {
+        progress_show(what, done, total);
+    }
 }
 
 int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv)

@@ -70,6 +70,9 @@ int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *proj
 /* The lab for a row of lab_formats. */
 struct depth_lab depth_lab_of(const struct depth_lab *lab, uint32_t row);
 
+/* Shows that the formats before row i are done, of those that have a bit in `formats`. */
+void depth_lab_progress(const char *what, uint32_t formats, uint32_t i);
+
 /* Runs a command with its rows into memory and returns its status. *csv is a string to free(), also after an error. */
 int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv);
 

@@ -48,6 +48,7 @@ static int measure_format(struct lab *mine, int (*run)(const struct lab *), uint
 /* Runs a measurement of lab.h into lab->rows, format by format. */
 static int measure(const struct depth_lab *lab, int (*run)(const struct lab *))
 {
+    const char *const what = run == lab_pairs ? "pairs" : "resolve";
     struct sink sink = {lab->rows, false};
     struct lab mine = {.near_z = lab->near_z,
                        .far_z = lab->far_z,
@@ -64,11 +65,11 @@ static int measure(const struct depth_lab *lab, int (*run)(const struct lab *))
     }
     int status = run(&mine); /* of no format: the header */
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        progress_show(lab_formats[i].name, i, lab_format_count);
+        depth_lab_progress(what, lab->formats, i);
         sink.skip = true;
         status = (lab->formats >> i & 1) != 0 ? measure_format(&mine, run, i) : 0;
     }
-    progress_show("", 1, 1);
+    progress_show(what, 1, 1);
     free(mine.memory);
     return status;
 }

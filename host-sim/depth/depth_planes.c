@@ -273,7 +273,7 @@ int depth_planes(const struct depth_lab *lab)
     int status = 0;
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
         const struct depth_lab own = depth_lab_of(lab, i);
-        progress_show("planes", i, lab_format_count);
+        depth_lab_progress("planes", rows, i);
         status = (rows >> i & 1) != 0 ? sweep_format(&own, &lab_formats[i]) : 0;
     }
     progress_show("planes", 1, 1);

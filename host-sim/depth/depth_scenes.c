@@ -277,7 +277,7 @@ int depth_scenes(const struct depth_lab *lab)
     fputs("format,bits,near,far,scene,shading,pixels,wrong,largest_wrong_m,at_m,step_m\n", lab->rows);
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
         const struct depth_lab own = depth_lab_of(lab, i);
-        progress_show("scenes", i, lab_format_count);
+        depth_lab_progress("scenes", rows, i);
         status = (rows >> i & 1) != 0 ? put_format(&own, &lab_formats[i]) : 0;
     }
     progress_show("scenes", 1, 1);

@@ -19,14 +19,19 @@ static void put_row(const struct depth_lab *lab, const struct lab_format *format
     }
 }
 
-static int put_format(const struct depth_lab *lab, const struct lab_format *format, double at_m)
+static const double tilts[] = {0, 30, 60, 75, 85, 89};
+#define TILTS (sizeof tilts / sizeof tilts[0])
+
+/* *done: rows so far, of `total`. */
+static int put_format(const struct depth_lab *lab, const struct lab_format *format, double at_m, uint32_t *done,
+                      uint32_t total)
 {
-    static const double tilts[] = {0, 30, 60, 75, 85, 89};
     struct planes_canvas canvas;
     const int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
     for (unsigned shading = 0; shading < PH_SHADE_WIRE && status == 0; shading++) {
         canvas.shading = (uint8_t)shading;
-        for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
+        for (size_t i = 0; i < TILTS; i++) {
+            progress_show("slopes", (*done)++, total);
             put_row(lab, format, &canvas, (struct planes_lean){at_m, tilts[i], NAN});
         }
     }
@@ -38,14 +43,19 @@ int depth_slopes(const struct depth_lab *lab)
 {
     const uint32_t rows = depth_drawn_formats(lab);
     const double middle = (depth_metres(lab->near_z) + depth_metres(lab->far_z)) / 2;
+    const uint32_t distances = lab->at_count > 0 ? lab->at_count : 1;
+    uint32_t done = 0, total = 0;
+    for (uint32_t i = 0; i < lab_format_count; i++) {
+        total += (rows >> i & 1) * distances * PH_SHADE_WIRE * (uint32_t)TILTS;
+    }
     int status =
         rows != 0 ? 0 : complain_usage("--depth: slopes draws with the renderer's own formats; --help lists them");
     fputs("format,bits,near,far,z_m,shading,tilt_deg,bound_m,measured_m,ratio\n", lab->rows);
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
         const struct depth_lab own = depth_lab_of(lab, i);
-        progress_show("slopes", i, lab_format_count);
-        for (uint32_t k = 0; (rows >> i & 1) != 0 && status == 0 && (k < lab->at_count || k == 0); k++) {
-            status = put_format(&own, &lab_formats[i], lab->at_count > 0 ? depth_metres(lab->at[k]) : middle);
+        for (uint32_t k = 0; (rows >> i & 1) != 0 && status == 0 && k < distances; k++) {
+            status =
+                put_format(&own, &lab_formats[i], lab->at_count > 0 ? depth_metres(lab->at[k]) : middle, &done, total);
         }
     }
     progress_show("slopes", 1, 1);

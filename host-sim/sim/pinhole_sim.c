@@ -374,17 +374,18 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
 {
     const bool drawn =
         o->out != NULL || o->crc || o->stats || o->check != NULL || o->show_window; /* --matrix alone draws none */
-    const bool bar = o->out != NULL && !o->crc && !o->stats && stage->out.kind != FRAME_OUT_STREAM;
+    const bool listed = o->stats || (o->crc && (stage->out.kind == FRAME_OUT_STREAM || isatty(STDOUT_FILENO)));
+    const bool bar = drawn && !listed && !o->show_window; /* lines about frames where the bar would be tell enough */
     int status = o->matrix ? show_matrices(o, &stage->out, p) : 0;
     for (uint32_t i = 0; drawn && i < o->frames && status == 0 && signal_stop == 0; i++) {
         status = press(o, stage, p, o->start + i);
         if (status != 0) {
             break;
         }
-        status = show_frame(o, stage, p, o->start + i);
-        if (bar && (uint64_t)i * 100 / o->frames != (uint64_t)(i + 1) * 100 / o->frames) {
-            progress_show("frames", i + 1, o->frames);
+        if (bar) {
+            progress_show("frames", i, o->frames);
         }
+        status = show_frame(o, stage, p, o->start + i);
         if (status == 0 && stage->window != NULL) {
             const uint64_t ns = sim_player_bus_ns(p);
             sim_window_show(stage->window, p->picture.rgb, ns > SHORTEST_NS ? ns : SHORTEST_NS);

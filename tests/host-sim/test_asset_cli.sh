@@ -141,7 +141,7 @@ the_simulator_shows_what_the_kit_has_room_for() { # with --board, of a model tha
 }
 
 bar_is_for_terminals() { # and goes away
-    script -qec "'$asset' '$dir/large.obj' -o '$dir/bar.c' --max-triangles 1000" /dev/null | tr '\r' '\n' >"$dir/terminal" && grep -q '^measuring .*\[####' "$dir/terminal" &&
+    PINHOLE_PROGRESS='' script -qec "'$asset' '$dir/large.obj' -o '$dir/bar.c' --max-triangles 1000" /dev/null | tr '\r' '\n' >"$dir/terminal" && grep -q '^measuring .*\[####' "$dir/terminal" &&
         [ "$(tail -n 1 "$dir/terminal" | tr -d ' ')" = "" ] && "$asset" "$dir/large.obj" -o "$dir/bar.c" --max-triangles 1000 >"$dir/said" 2>&1 && [ ! -s "$dir/said" ]
 }
 

@@ -217,7 +217,7 @@ a_model_too_large_names_what_helps() {
 }
 
 bar_is_for_terminals() { # and goes away
-    script -qec "'$sim' --size 16x16 --frames 30 --out '$dir/bar'" /dev/null >"$dir/terminal" && grep -q 'frames .*\[####' "$dir/terminal" &&
+    PINHOLE_PROGRESS='' script -qec "'$sim' --size 16x16 --frames 30 --out '$dir/bar'" /dev/null >"$dir/terminal" && grep -q 'frames .*\[####' "$dir/terminal" &&
         [ "$(tr '\r' '\n' <"$dir/terminal" | tail -n 1 | tr -d ' \n')" = "" ] &&
         "$sim" --size 16x16 --frames 30 --out "$dir/bar" >"$dir/stdout" 2>"$dir/stderr" && [ ! -s "$dir/stdout" ] && [ ! -s "$dir/stderr" ]
 }

@@ -6,6 +6,7 @@
 #   long  "a name as a sentence" command...    one of many alike: a long test (LONG=1) takes its share of them
 #   in_share              whether the next of the things that a long test looks at is in the share that SHARE=K/N asks for
 #   make_image argument...                                make of an image in $B, one at a time: tests run side by side
+export PINHOLE_PROGRESS=off # lines that come because a machine is slow are no messages; test_progress.sh looks at them
 tap_count=0
 tap_failed=0
 
