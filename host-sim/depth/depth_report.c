@@ -16,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 struct section {
     const char *command, *title, *plots[2]; /* kinds of plots that show it, or NULL */
@@ -374,5 +375,8 @@ int depth_report(const struct depth_lab *lab)
         status = file_save_bytes(path, text, length);
     }
     free(text);
+    if (status != 0 && error == 0) {
+        rmdir(lab->out); /* it was made here; a plot that is in it keeps it */
+    }
     return status;
 }

@@ -14,9 +14,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
-/* Makes every directory of path that is missing. 0 or a negative errno value. */
-static int make_directories(const char *path)
+/* Makes every directory of path that is missing; *made is the length of the first one's name, or 0. 0 or a negative
+ * errno value. */
+static int make_directories(const char *path, size_t *made)
 {
     char part[PATH_MAX];
     const size_t n = strlen(path);
@@ -29,7 +31,9 @@ static int make_directories(const char *path)
         }
         memcpy(part, path, i);
         part[i] = '\0';
-        if (mkdir(part, 0777) != 0 && errno != EEXIST) {
+        if (mkdir(part, 0777) == 0) {
+            *made = *made > 0 ? *made : i;
+        } else if (errno != EEXIST) {
             return -errno;
         }
     }
@@ -38,6 +42,19 @@ static int make_directories(const char *path)
         return -errno;
     }
     return S_ISDIR(status.st_mode) ? 0 : -ENOTDIR;
+}
+
+/* Removes the directories that were made and are empty. */
+static void remove_directories(const char *path, size_t made)
+{
+    char part[PATH_MAX];
+    for (size_t n = strlen(path); n >= made && n > 0; n--) {
+        if (path[n] == '/' || path[n] == '\0') {
+            memcpy(part, path, n);
+            part[n] = '\0';
+            rmdir(part);
+        }
+    }
 }
 
 /* Is this the name of a picture in another format? "name.x/" is a directory, and so is an existing one. */
@@ -52,8 +69,14 @@ static bool is_other_picture(const char *target)
 static int open_directory(struct frame_out *out)
 {
     out->kind = FRAME_OUT_DIRECTORY;
-    const int status = make_directories(out->path);
-    return status == 0 ? 0 : complain("%s: cannot be used as a directory for frames: %s", out->path, strerror(-status));
+    const int status = make_directories(out->path, &out->made);
+    if (status == 0) {
+        return 0;
+    }
+    if (out->made > 0) {
+        remove_directories(out->path, out->made);
+    }
+    return complain("%s: cannot be used as a directory for frames: %s", out->path, strerror(-status));
 }
 
 static int open_gif(struct frame_out *out)
@@ -74,6 +97,7 @@ int frame_out_open(struct frame_out *out, const char *target, bool several, uint
     out->digits = snprintf(NULL, 0, "%u", (unsigned)last);
     out->digits = out->digits > 4 ? out->digits : 4;
     out->gif = NULL;
+    out->made = 0;
     out->kind = FRAME_OUT_NONE;
     if (target == NULL) {
         return 0;
@@ -190,6 +214,9 @@ int frame_out_close(struct frame_out *out, int status)
     }
     if (out->kind == FRAME_OUT_GIF) {
         gif_out_free(out->gif);
+    }
+    if (status != 0 && out->made > 0) {
+        remove_directories(out->path, out->made);
     }
     out->kind = FRAME_OUT_NONE;
     return status;

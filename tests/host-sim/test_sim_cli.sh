@@ -475,6 +475,16 @@ a_file_limit_leaves_nothing() { # 10 KiB, the picture takes 48
     [ "$status" = 1 ] && [ "$(wc -l <"$dir/stderr")" = 1 ] && [ -z "$(ls "$dir/limit")" ]
 }
 
+# A first frame that cannot be written, or drawn, takes the directories away that were made for it, and no other.
+a_failure_leaves_no_directory() {
+    grid 60 >"$dir/grid60.obj" && mkdir -p "$dir/old"
+    ! (ulimit -f 10 && exec "$sim" --demo cube --size 128x128 --out "$dir/new/deep/er") 2>"$dir/stderr" && [ ! -e "$dir/new" ] &&
+        ! (ulimit -f 10 && exec "$sim" --demo cube --size 128x128 --out "$dir/old/new/") 2>"$dir/stderr" && [ -d "$dir/old" ] && [ -z "$(ls "$dir/old")" ] &&
+        ! "$sim" --model "$dir/grid60.obj" --board pico-display --max-triangles all --out "$dir/new" 2>"$dir/stderr" && [ ! -e "$dir/new" ] &&
+        ! "$sim" --demo cube --out "$dir/stderr/new" 2>/dev/null && "$sim" --demo cube --size 8x8 --out "$dir/old/new" && [ -s "$dir/old/new/frame-0000.ppm" ] || return 1
+    ! (ulimit -f 10 && exec "$sim" --demo cube --size 128x128 --out "$dir/old/new") 2>"$dir/stderr" && [ -s "$dir/old/new/frame-0000.ppm" ]
+}
+
 a_pipe_stays_a_pipe() { # and gets the picture; a file put in its place would break whoever reads it
     rm -f "$dir/pipe.ppm"
     mkfifo "$dir/pipe.ppm" && { cat "$dir/pipe.ppm" >"$dir/read.ppm" & } || return 1
@@ -575,6 +585,7 @@ check sigterm_leaves_no_part_of_a_file a_signal_leaves_no_part_of_a_file TERM 14
 check a_closed_pipe_ends_it a_closed_pipe_ends_it
 check a_window_off_the_middle_is_wrong_usage refuses 2 "off the middle" --crc --projection frustum=5,6,5,6
 check a_file_limit_leaves_nothing a_file_limit_leaves_nothing
+check a_failure_leaves_no_directory a_failure_leaves_no_directory
 check a_pipe_stays_a_pipe a_pipe_stays_a_pipe
 check a_full_disk_is_told a_full_disk_is_told
 check impossible_places_are_told impossible_places_are_told
