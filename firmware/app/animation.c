@@ -4,6 +4,10 @@
 
 #define ROUND8(n) (((n) + 7) & ~(size_t)7)
 
+/* The time in which a count of 32 bits begins anew: so many whole seconds, and frames. */
+#define WRAP_SECONDS ((uint32_t)((1ULL << 32) / ANIMATION_FRAMES_A_SECOND))
+#define WRAP_REST    ((uint32_t)((1ULL << 32) % ANIMATION_FRAMES_A_SECOND))
+
 #define STAGE_BYTES_32 40
 #define MESH_BYTES_32  48
 _Static_assert(sizeof(void *) > 4 || sizeof(struct animation_stage) == STAGE_BYTES_32, "STAGE_BYTES_32 is wrong");
@@ -93,19 +97,26 @@ struct animation_stage *animation_begin(struct demo_arena *arena, const struct a
     return s;
 }
 
-/* Seconds from the first frame on, Q16.16, rounded down. */
-static fx_t time_of(const struct ph_clip *clip, uint32_t frame)
+/* Where the clip is in a frame, Q16.16 seconds, rounded down. */
+static fx_t time_of(const struct ph_clip *clip, uint64_t frame)
 {
-    const uint32_t seconds = frame / ANIMATION_FRAMES_A_SECOND, rest = frame % ANIMATION_FRAMES_A_SECOND;
-    const uint32_t time = seconds * FX_ONE + rest * FX_ONE / ANIMATION_FRAMES_A_SECOND;
-    return clip->duration > 0 ? (fx_t)(time % (uint32_t)clip->duration) : 0;
+    const uint32_t duration = clip->duration > 0 ? (uint32_t)clip->duration : 1;
+    const uint32_t low = (uint32_t)frame, wraps = (uint32_t)(frame >> 32);
+    const uint32_t rest = low % ANIMATION_FRAMES_A_SECOND + wraps * WRAP_REST;
+    uint32_t time = low / ANIMATION_FRAMES_A_SECOND + wraps * WRAP_SECONDS + rest / ANIMATION_FRAMES_A_SECOND;
+    for (uint32_t bit = 0; bit < 16; bit++) { /* times FX_ONE, which would overflow after 65,536 s */
+        time = time % duration * 2;
+    }
+    return (fx_t)((time % duration + rest % ANIMATION_FRAMES_A_SECOND * FX_ONE / ANIMATION_FRAMES_A_SECOND) % duration);
 }
 
-void animation_move(const struct animation_stage *s, const struct ph_renderer *r, uint32_t frame)
+void animation_move(const struct animation_stage *s, const struct ph_renderer *r, uint64_t frame)
 {
     const struct animation *const a = s->animation;
     ph_rig_rest(&a->rig, s->pose);
-    memcpy(s->weights, a->rest_weights, a->weight_count * sizeof(*s->weights));
+    for (uint32_t i = 0; i < a->weight_count; i++) { /* memcpy takes no NULL, not even for 0 bytes */
+        s->weights[i] = a->rest_weights[i];
+    }
     if (a->clip) {
         ph_clip_sample(a->clip, time_of(a->clip, frame), s->pose, s->weights);
     }
@@ -141,10 +152,24 @@ int animation_init(struct demo_context *context, const struct animation *a, cons
     return status;
 }
 
+/* A count of frames that goes on where the one of 32 bits begins anew, so that the clip does not jump there. It follows
+ * steps back over that place, too. The first frame may be any. */
+static uint64_t clip_frame(struct animation_stage *s, uint32_t frame)
+{
+    const uint8_t quarter = (uint8_t)(frame >> 30);
+    if (s->quarter == 3 && quarter == 0) {
+        s->wraps++;
+    } else if (s->quarter == 0 && quarter == 3 && s->wraps > 0) {
+        s->wraps--;
+    }
+    s->quarter = quarter;
+    return (uint64_t)s->wraps << 32 | frame;
+}
+
 int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     struct animation_stage *const s = context->state;
-    animation_move(s, r, frame);
+    animation_move(s, r, clip_frame(s, frame));
     context->state = s->view;
     const int status = s->is_still ? demo_still_frame(context, r, frame) : demo_turntable_frame(context, r, frame);
     context->state = s;

@@ -38,6 +38,7 @@ struct animation_stage {
     int16_t (*morphed)[3], (*morphed_normals)[3];
     void *view; /* the state of the demo that draws it */
     bool is_still;
+    uint8_t quarter, wraps; /* of the count of frames: in which quarter of 2^32 it stands; how often it began anew */
 };
 
 /* What the stage needs for meshes that move; starts with zeros. */
@@ -58,8 +59,9 @@ struct animation_need animation_need(const struct animation *animation);
 struct animation_stage *animation_begin(struct demo_arena *arena, const struct animation *animation,
                                         const struct ph_mesh *meshes, uint32_t mesh_count);
 
-/* Moves the vertices to where the clip has them in a frame, by all cores that a renderer has; r may be NULL. */
-void animation_move(const struct animation_stage *stage, const struct ph_renderer *r, uint32_t frame);
+/* Moves the vertices to where the clip has them in a frame (below 2^36), by all cores that a renderer has; r may be
+ * NULL. */
+void animation_move(const struct animation_stage *stage, const struct ph_renderer *r, uint64_t frame);
 
 /* A demo of it, before an eye of its own, or (NULL) on the turntable; see demo_still_init(), demo_turntable_init(). The
  * camera is that for the bind pose. */

@@ -15,6 +15,7 @@
 #define CELLS_X     4 /* -4 .. 4 */
 #define CELLS_Z     3
 #define SHORTEST    10u /* balls */
+#define ROUND       (SNAKE_TRAIL * CELL_FRAMES)
 
 /* x = 5 sin t, z = 3.2 sin 2t. The path leads over the hump at t = 0 and below it half a turn later. */
 static struct fx_vec3 path(uint32_t turn32)
@@ -166,12 +167,28 @@ static void leave_path(struct snake_steering *s, uint32_t frame, int8_t turn)
     enter(s, cell_at(plus(at, heading((uint32_t)in << 30, CELL / 2))), in);
 }
 
+/* Keeps the time small, so that it does not overflow: it goes back by a whole number of times around the path and of
+ * cells that are remembered. Apples that are whole stay whole. */
+static void keep_time_small(struct snake_steering *s)
+{
+    _Static_assert(ROUND % (1u << (32 - PATH_SHIFT)) == 0, "the path would jump");
+    if (s->time < 2 * ROUND) {
+        return;
+    }
+    for (uint32_t i = 0; i < SNAKE_APPLES; i++) {
+        const uint32_t age = s->time - s->born[i];
+        s->born[i] = s->time - ROUND - (age < 2 * CELL_FRAMES ? age : 2 * CELL_FRAMES);
+    }
+    s->time -= ROUND;
+}
+
 /* Steers for one frame. */
 static void steer_on(struct snake_steering *s)
 {
     static const struct snake_cell steps[4] = {{0, -1}, {-1, 0}, {0, 1}, {1, 0}};
     const struct snake_passage last = s->trail[s->time / CELL_FRAMES % SNAKE_TRAIL];
     s->time++;
+    keep_time_small(s);
     if (s->time % CELL_FRAMES != 0) {
         return;
     }

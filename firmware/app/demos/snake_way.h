@@ -38,7 +38,7 @@ struct snake_steering {
     bool on;
     int8_t turn;     /* asked for in the next cell: 1 left, -1 right */
     uint32_t origin; /* the frame in which the snake left the path */
-    uint32_t time;   /* frames since then */
+    uint32_t time;   /* frames since then; after 1,024 of them it repeats 512 .. 1,023 */
     uint32_t length; /* balls */
     uint32_t random;
     struct snake_passage trail[SNAKE_TRAIL]; /* the cell that was entered at time t is in [t / 16 % SNAKE_TRAIL] */
