@@ -7,11 +7,16 @@
  * Usage: fuzz_raster [quick | long | TRIANGLES [SEED]]
  * quick (the default) is a million triangles, long twenty. Each frame has its own seed, printed when it fails;
  * `fuzz_raster 1 SEED` repeats that frame alone.
+ *
+ * Usage: fuzz_raster threads [FRAMES [SEED]]
+ * draws so many frames (50) again with a thread as second core. test_sanitizers.sh has ThreadSanitizer look at it.
  */
 #include "render.h"
 #include "shadow.h"
 
 #include <inttypes.h>
+#include <pthread.h>
+#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +28,8 @@
 #define VERTICES    48
 #define TRIANGLES   64
 #define EDGES       16
-#define DRAWS       3 /* of the mesh in a frame, most: with a second camera, and as a shadow */
+#define ONE_MEMORY  2048 /* vertices, where triangles lie in their memory, too */
+#define DRAWS       3    /* of the mesh in a frame, most: with a second camera, and as a shadow */
 #define PARTS       4
 #define LOG2_MAX    6 /* of texture sizes; LOG2_MOST now and then */
 #define LOG2_MOST   10
@@ -86,6 +92,15 @@ static int32_t any_q30(void)
         return within(FX_Q30_ONE);
     }
 }
+
+/* The second core as a thread. It waits for work all the time, so that it comes in time to meet the first one. */
+static struct core {
+    bool here; /* it is used */
+    void (*run)(void *argument);
+    void *argument;
+    uint32_t delay;
+    uint32_t given, done; /* pieces of work */
+} core;
 
 /* ---- memory with fences ------------------------------------------------------------------------------------- */
 
@@ -170,9 +185,12 @@ static struct ph_config any_config(struct memory *memory)
     const bool is_fine = config.width <= 512 && config.height <= 512 && below(8) == 0;
     config.vertex_max = below(8) ? VERTICES : 1 + below(VERTICES);
     config.triangle_max = below(4) ? 8 * TRIANGLES : 1 + below(TRIANGLES);
+    const bool one_memory = below(4) == 0; /* with room for two cores to list triangles one by one */
+    config.vertex_max = one_memory ? ONE_MEMORY : config.vertex_max;
     config.bin_max = (uint32_t)((config.height + config.band_height - 1) / config.band_height);
     config.vertices = fence(&memory->vertices, config.vertex_max * ph_vertex_bytes);
-    config.triangles = fence(&memory->triangles, config.triangle_max * ph_triangle_bytes);
+    config.triangles = fence(&memory->triangles, one_memory ? 0 : config.triangle_max * ph_triangle_bytes);
+    config.triangles = one_memory ? config.vertices : config.triangles;
     config.bins = fence(&memory->bins, config.bin_max * sizeof(*config.bins));
     memory->band = fence_pixels(&config, is_fine, memory);
     return config;
@@ -200,7 +218,7 @@ struct content {
     fx_t uvs[VERTICES][2];
     uint16_t triangles[TRIANGLES][3];
     uint16_t edges[EDGES][2];
-    struct ph_part parts[PARTS];
+    struct ph_part parts[PARTS + 2]; /* the last two are empty */
     struct ph_material materials[PARTS];
     struct ph_texture textures[PARTS], alphas[PARTS];
     struct ph_blend blends[PARTS];
@@ -409,10 +427,16 @@ static void any_content(struct content *c)
     c->ground = (struct ph_plane_equation){{0, FX_Q30_ONE, 0}, within(FX_INT(2))};
     c->billboard = below(8) == 0;
     ph_material_ramp(c->ramp, (uint8_t)bits(), (uint8_t)bits(), (uint8_t)bits(), (fx_t)below(FX_ONE + 1));
+    const bool one_part = below(4) == 0; /* large enough for two cores to cull it */
     for (int i = 0; i < PARTS; i++) {
-        c->parts[i] = (struct ph_part){(uint32_t)i * TRIANGLES / PARTS, TRIANGLES / PARTS, (uint16_t)below(PARTS)};
+        c->parts[i] = (struct ph_part){(uint32_t)i * TRIANGLES / PARTS,
+                                       !one_part ? TRIANGLES / PARTS
+                                       : i == 0  ? TRIANGLES
+                                                 : 0,
+                                       (uint16_t)below(PARTS)};
         c->materials[i] = any_material(c, i);
     }
+    c->parts[PARTS + 1].material = 1;
     c->mesh = (struct ph_mesh){.positions = c->positions,
                                .normals = (const int16_t(*)[3])c->normals,
                                .uvs = (const fx_t(*)[2])c->uvs,
@@ -476,6 +500,11 @@ static void draw(struct ph_renderer *r, const struct content *c)
         check_code(ph_draw_billboard(r, c->positions[0], FX_ONE, FX_HALF, &c->materials[2]),
                    "ph_draw_billboard returned an unknown code");
     }
+    const struct ph_mesh empty = {
+        .parts = c->parts + PARTS, .materials = c->materials, .part_count = below(3)}; /* and no arrays */
+    check_code(ph_draw_mesh(r, &empty, &c->to_world), "a mesh without vertices returned an unknown code");
+    check_code(ph_draw_shadow(r, &empty, &c->to_world, light, &c->ground, &c->materials[1]),
+               "the shadow of a mesh without vertices returned an unknown code");
     for (int i = 0; c->lines && i < 4; i++) {
         ph_draw_line(r, c->positions[i], c->positions[i + 4], &c->materials[i]);
     }
@@ -515,6 +544,49 @@ static uint32_t draw_bands(struct ph_renderer *r, const struct ph_config *config
     return hash[0] ^ (hash[1] << 16 | hash[1] >> 16);
 }
 
+static void delay(uint32_t steps)
+{
+    for (volatile uint32_t i = 0; i < steps; i++) {
+    }
+}
+
+/* Now and then much longer than a share of the work takes. */
+static uint32_t any_delay(void)
+{
+    return below(1u << (2 * below(9)));
+}
+
+static void *core_main(void *unused)
+{
+    (void)unused;
+    for (uint32_t next = 1;; next++) {
+        while (__atomic_load_n(&core.given, __ATOMIC_ACQUIRE) != next) {
+            sched_yield();
+        }
+        delay(core.delay);
+        core.run(core.argument);
+        __atomic_store_n(&core.done, next, __ATOMIC_RELEASE);
+    }
+    return NULL;
+}
+
+static bool run_there(void (*run)(void *argument), void *argument)
+{
+    core.run = run;
+    core.argument = argument;
+    core.delay = any_delay();
+    __atomic_store_n(&core.given, core.given + 1, __ATOMIC_RELEASE);
+    delay(any_delay());
+    return true;
+}
+
+static void join_there(void)
+{
+    while (__atomic_load_n(&core.done, __ATOMIC_ACQUIRE) != core.given) {
+        sched_yield();
+    }
+}
+
 static bool run_here(void (*run)(void *argument), void *argument)
 {
     const bool is_free = below(8) != 0;
@@ -538,9 +610,9 @@ static uint32_t draw_again(const struct ph_config *config, const struct content 
     other.band_height = (uint16_t)(1 + below(config->height));
     other.bin_max = (uint32_t)((other.height + other.band_height - 1) / other.band_height);
     other.bins = fence(&bins, other.bin_max * sizeof(*other.bins));
-    if (below(2)) {
-        other.other_core = run_here;
-        other.other_core_join = join_here;
+    if (core.here || below(2)) {
+        other.other_core = core.here ? run_there : run_here;
+        other.other_core_join = core.here ? join_there : join_here;
     }
     uint16_t *pixels = fence_pixels(&other, config->samples != NULL, &memory);
     begin(&r, &other, c);
@@ -570,12 +642,12 @@ static struct ph_stats draw_frame(void)
     return r.stats;
 }
 
-static int fuzz(uint32_t triangles, uint64_t seed)
+static int fuzz(uint32_t triangles, uint32_t frames_most, uint64_t seed)
 {
     uint64_t in = 0, drawn = 0, clipped = 0, dropped = 0, fragments = 0, frames = 0;
-    printf("%" PRIu32 " triangles, seed %" PRIu64 "\n", triangles, seed);
+    printf("%" PRIu32 " triangles or %" PRIu32 " frames, seed %" PRIu64 "\n", triangles, frames_most, seed);
     fflush(stdout);
-    for (; in < triangles && frames < triangles; frames++) {
+    for (; in < triangles && frames < frames_most; frames++) {
         frame_seed = seed + frames;
         state = frame_seed * 0xd1342543de82ef95u;
         struct ph_stats stats = draw_frame();
@@ -589,23 +661,36 @@ static int fuzz(uint32_t triangles, uint64_t seed)
            " dropped; %" PRIu64 " fragments\n",
            frames, in, clipped, drawn, dropped, fragments);
     /* A run that drew next to nothing has tested nothing. */
-    return triangles < QUICK || (drawn > triangles / 20 && clipped > triangles / 50 && dropped > triangles / 200) ? 0
-                                                                                                                  : 1;
+    return triangles < QUICK || core.given > 4 * frames ||
+                   (drawn > triangles / 20 && clipped > triangles / 50 && dropped > triangles / 200)
+               ? 0
+               : 1;
 }
 
 int main(int argc, char **argv)
 {
-    uint32_t triangles = QUICK;
+    static const char usage[] = "usage: fuzz_raster [quick | long | TRIANGLES [SEED]] | threads [FRAMES [SEED]]\n";
+    uint32_t triangles = QUICK, frames = UINT32_MAX;
     uint64_t seed = 20261121;
-    if (argc > 3 || (argc > 1 && argv[1][0] == '-')) {
-        fprintf(argc == 2 ? stdout : stderr, "usage: fuzz_raster [quick | long | TRIANGLES [SEED]]\n");
+    core.here = argc > 1 && strcmp(argv[1], "threads") == 0;
+    const int left = argc - core.here;
+    if (left > 3 || (argc > 1 && argv[1][0] == '-')) {
+        fputs(usage, argc == 2 ? stdout : stderr);
         return argc == 2 && strcmp(argv[1], "--help") == 0 ? 0 : 2;
     }
-    if (argc > 1 && strcmp(argv[1], "quick") != 0) {
+    if (core.here) {
+        pthread_t thread;
+        triangles = UINT32_MAX;
+        frames = left > 1 ? (uint32_t)strtoul(argv[2], NULL, 10) : 50;
+        if (pthread_create(&thread, NULL, core_main, NULL) != 0) {
+            fail("no thread");
+        }
+    } else if (argc > 1 && strcmp(argv[1], "quick") != 0) {
         triangles = strcmp(argv[1], "long") == 0 ? LONG : (uint32_t)strtoul(argv[1], NULL, 10);
+        frames = triangles;
     }
-    if (argc > 2) {
-        seed = strtoull(argv[2], NULL, 10);
+    if (left > 2) {
+        seed = strtoull(argv[argc - 1], NULL, 10);
     }
     texels = malloc(TEXELS_MOST * sizeof(*texels));
     if (!texels) {
@@ -614,7 +699,7 @@ int main(int argc, char **argv)
     for (uint32_t i = 0; i < TEXELS_MOST; i++) {
         texels[i] = (uint16_t)(i * 40503u);
     }
-    int result = fuzz(triangles, seed);
+    int result = fuzz(triangles, frames, seed);
     free(texels);
     return result;
 }

@@ -239,7 +239,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     const struct ph_mark mark = ph_list_mark(r);
     const uint32_t n = mesh->vertex_count;
     c.draw = (struct ph_draw){.material = material, .kind = PH_DRAW_SMALL};
-    c.draw.base = n <= r->config.vertex_max ? ph_list_vertices(r, n) : UINT32_MAX;
+    c.draw.base = n - 1 < r->config.vertex_max ? ph_list_vertices(r, n) : UINT32_MAX;
     if (c.draw.base == UINT32_MAX || (material->blend != NULL && !ph_list_blend(r, material->blend)) ||
         !ph_list_draw(r, &c.draw)) {
         ph_list_rewind(r, &mark);
@@ -252,7 +252,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     transform_vertices(&c);
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const struct ph_part *part = &mesh->parts[i];
-        if (mesh->materials[part->material].shading == PH_SHADE_WIRE) {
+        if (mesh->materials[part->material].shading == PH_SHADE_WIRE || part->count == 0) {
             continue;
         }
         r->stats.triangles_in += part->count;

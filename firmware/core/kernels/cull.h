@@ -28,6 +28,11 @@ static inline unsigned ph_code_of(const struct ph_vertex *v)
     return __atomic_load_n(&v->code, __ATOMIC_RELAXED);
 }
 
+static inline uint16_t ph_light_of(const struct ph_vertex *v)
+{
+    return __atomic_load_n(&v->light, __ATOMIC_RELAXED);
+}
+
 /* Marks a vertex for the light. */
 static inline void ph_mark(struct ph_vertex *v)
 {

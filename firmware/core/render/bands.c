@@ -273,8 +273,11 @@ static void set_up_fresh(void *argument)
     for (uint32_t asked = 0; count == COUNTING && asked < MAY_ASK; asked++) {
         count = __atomic_load_n(&s->count, __ATOMIC_SEQ_CST);
     }
+    if (count == COUNTING) { /* core 0 may still be writing the list */
+        return;
+    }
     struct ph_triangle *t = core == 0 ? s->first : s->last;
-    for (uint32_t n = 1; count != COUNTING && count > 0; n++) {
+    for (uint32_t n = 1; count > 0; n++) {
         if (core == 0 && s->drawn != NULL && __atomic_load_n(&s->drawn_below, __ATOMIC_SEQ_CST) != 0) {
             keep_below(s->drawn);
             s->drawn = NULL;

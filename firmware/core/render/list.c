@@ -109,7 +109,8 @@ int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool li
     if (mesh->vertex_count > r->config.vertex_max) {
         return PH_ERR_NOMEM;
     }
-    for (const struct ph_part *part = mesh->parts, *const end = part + mesh->part_count; part < end; part++) {
+    for (uint32_t i = 0; i < mesh->part_count; i++) {
+        const struct ph_part *const part = &mesh->parts[i];
         if (mesh->materials[part->material].shading != PH_SHADE_WIRE) {
             r->stats.triangles_in += part->count;
             r->stats.triangles_dropped += part->count;
@@ -284,6 +285,7 @@ void *ph_list_lend(struct ph_renderer *r, const struct ph_draw *draw, size_t byt
     const uint32_t half = (room - from) / 2 & ~(uint32_t)(size - 1);
     struct ph_lent *const lent = ph_at(r, (uint32_t)TRIANGLES << 30 | (uint32_t)(from + half - all));
     lent->renderer = *r;
+    lent->last = *draw_at(r, r->list.last);
     lent->stats = r->stats;
     lent->to = r->list.to;
     lent->base = base;
@@ -297,6 +299,7 @@ void *ph_list_lend(struct ph_renderer *r, const struct ph_draw *draw, size_t byt
         theirs->used[piece] = r->list.used[piece] = NO_ROOM;
     }
     theirs->used[TRIANGLES] = from;
+    theirs->last = (uint32_t)TRIANGLES << 30 | (uint32_t)(from + half - all + offsetof(struct ph_lent, last));
     r->list.used[TRIANGLES] = from + half;
     set_end(&lent->renderer);
     set_end(r);

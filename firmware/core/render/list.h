@@ -191,6 +191,7 @@ bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint
  */
 struct ph_lent {
     struct ph_renderer renderer;
+    struct ph_draw last;   /* of its list: a copy, because both cores put it back as it was */
     struct ph_stats stats; /* the rest is how r was */
     struct ph_ref *to;
     uint32_t used[3], base;

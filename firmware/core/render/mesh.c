@@ -48,21 +48,24 @@ static inline uint16_t light_of(const struct part_context *c, uint32_t i)
 }
 
 /* Lights the corners of a triangle, unless they are lit already. ph_cull may have marked them only. */
-static void light_corners(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
+static void light_corners(const struct part_context *c, const uint16_t index[3])
 {
     for (int i = 0; c->lit && i < 3; i++) {
         struct ph_vertex *const corner = &c->vertices[index[i]];
-        if (__atomic_load_n(&v[i]->code, __ATOMIC_ACQUIRE) < PH_LIT || v[i]->light == 0) {
-            corner->light = light_of(c, index[i]); /* the other core may do so, too: it comes to the same */
-            __atomic_store_n(&corner->code, corner->code | PH_LIT, __ATOMIC_RELEASE);
+        const unsigned code = __atomic_load_n(&corner->code, __ATOMIC_ACQUIRE), lit = ph_light_of(corner);
+        if (code >= PH_LIT && lit != 0) {
+            continue;
         }
+        const uint16_t light = light_of(c, index[i]); /* the other core may find it, too: it comes to the same */
+        __atomic_store_n(&corner->light, light, __ATOMIC_RELAXED);
+        __atomic_store_n(&corner->code, (uint8_t)(code | PH_LIT), __ATOMIC_RELEASE);
     }
 }
 
 static struct ph_clip_vertex clip_vertex(const struct part_context *c, uint32_t index)
 {
     struct ph_clip_vertex v = ph_clip_place(&c->r->lens, c->matrix, &c->mesh->positions[index]);
-    v.light = c->vertices[index].light;
+    v.light = ph_light_of(&c->vertices[index]);
     if (c->mesh->uvs != NULL) {
         v.uv[0] = c->mesh->uvs[index][0];
         v.uv[1] = c->mesh->uvs[index][1];
@@ -82,11 +85,10 @@ static PH_NOINLINE void take_colours(struct ph_clip_vertex in[3], bool flat)
     in[0].light = (in[0].light >> 11) << 11 | 1 << 10;
 }
 
-static PH_NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3],
-                                     const struct ph_vertex *const v[3])
+static PH_NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3])
 {
     struct ph_clip_vertex in[3];
-    light_corners(c, index, v);
+    light_corners(c, index);
     for (int i = 0; i < 3; i++) {
         in[i] = clip_vertex(c, index[i]);
     }
@@ -103,7 +105,8 @@ static PH_NOINLINE void draw_clipped(const struct part_context *c, const uint16_
 static PH_NOINLINE bool draw_any(const struct part_context *c, const uint16_t index[3])
 {
     const struct ph_vertex *const v[3] = {&c->vertices[index[0]], &c->vertices[index[1]], &c->vertices[index[2]]};
-    const unsigned all = v[0]->code & v[1]->code & v[2]->code, any = v[0]->code | v[1]->code | v[2]->code;
+    const unsigned code[3] = {ph_code_of(v[0]), ph_code_of(v[1]), ph_code_of(v[2])};
+    const unsigned all = code[0] & code[1] & code[2], any = code[0] | code[1] | code[2];
     if ((all & PH_REJECT) != 0) {
         return false;
     }
@@ -111,12 +114,12 @@ static PH_NOINLINE bool draw_any(const struct part_context *c, const uint16_t in
         return false;
     }
     if ((any & PH_CLIP) != 0 || (c->curved && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]))) {
-        draw_clipped(c, index, v);
+        draw_clipped(c, index);
         return true;
     }
     const bool seen = ph_list_triangle(c->r, index, v, c->two_sided);
     if (seen) {
-        light_corners(c, index, v);
+        light_corners(c, index);
     }
     return seen;
 }
@@ -460,7 +463,12 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
 {
     struct ph_renderer *r = c->r;
     c->material = &c->mesh->materials[part->material];
-    const bool wire = c->material->shading == PH_SHADE_WIRE, room = wire || light_part(c, part, to_world);
+    const bool wire = c->material->shading == PH_SHADE_WIRE;
+    const uint32_t count = wire ? c->mesh->edge_count : part->count;
+    if (count == 0) { /* there may be no array */
+        return;
+    }
+    const bool room = wire || light_part(c, part, to_world);
     c->draw.material = c->material;
     c->draw.uvs = ph_has_uvs(c->material) ? c->mesh->uvs : NULL;
     const struct ph_blend *const blend = c->material->blend;
@@ -471,7 +479,7 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
              : PH_DRAW_SMALL | (c->coloured ? PH_DRAW_COLOURS : 0) | (blended && c->two_sided ? PH_DRAW_ONE_SIDE : 0);
     r->stats.triangles_in += wire ? 0 : part->count;
     if (!room || (blend != NULL && !ph_list_blend(r, blend)) || !ph_list_draw(r, &c->draw)) {
-        r->stats.triangles_dropped += wire ? c->mesh->edge_count : part->count;
+        r->stats.triangles_dropped += count;
         return;
     }
     const uint32_t before = ph_ref_count(r);
@@ -489,7 +497,7 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
     const struct ph_mark mark = ph_list_mark(r);
-    const uint32_t n = mesh->vertex_count, place = n <= r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;
+    const uint32_t n = mesh->vertex_count, place = n - 1 < r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;
     if (place == PH_NONE) {
         return ph_list_leave_out(r, mesh, true);
     }
