@@ -61,7 +61,7 @@ struct ph_mat4 ph_matrix_viewport(uint16_t width, uint16_t height, enum ph_conve
 /*
  * Converts a camera of a convention to ours, exactly.
  * In:     view in the convention's camera coordinates, near_z and far_z as the convention gives them.
- * Errors: PH_ERR_INVAL: an impossible volume; for PH_LMU, unless 0 > near_z > far_z.
+ * Errors: PH_ERR_INVAL: an impossible volume; for PH_LMU, unless 0 > near_z > far_z > -32768.
  */
 int ph_camera_from(enum ph_convention convention, struct ph_xform *view, fx_t *near_z, fx_t *far_z);
 

@@ -94,7 +94,8 @@ struct fx_vec3 ph_xform_direction_q30(const struct ph_xform *a, struct fx_vec3 d
 /*
  * World-to-view transform of a camera at eye that looks at target, as gluLookAt gives it. It is defined for every
  * input: if eye = target, the camera looks along -z; if up is zero or parallel to the view, y takes its place, or z
- * where y is parallel too. Source: S.-E. Yoon, Rendering, KAIST, ch. 4, eq. 4.6.
+ * where y is parallel too. The rows of r have length one, and are at right angles within 2^-15: up to so much where up
+ * is nearly parallel to the view, which it is within 2^-14. Source: S.-E. Yoon, Rendering, KAIST, ch. 4, eq. 4.6.
  */
 struct ph_xform ph_view_look_at(struct fx_vec3 eye, struct fx_vec3 target, struct fx_vec3 up);
 

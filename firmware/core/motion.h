@@ -80,8 +80,8 @@ struct ph_clip {
     const char *name;
     const struct ph_track *tracks;
     uint32_t track_count;
-    fx_t duration; /* seconds, Q16.16 */
-    uint8_t time_shift;
+    fx_t duration;      /* seconds, Q16.16 */
+    uint8_t time_shift; /* 0 .. 15 */
 };
 
 /* The time in a clip that repeats: 0 .. duration; 0 for a clip of no length. */
@@ -89,7 +89,7 @@ fx_t ph_clip_loop(const struct ph_clip *clip, fx_t time);
 
 /*
  * Sets what the clip has tracks for, and leaves the rest of the pose and of the weights (Q8.24) as it is: start with
- * ph_rig_rest(). Before the first key of a track the first holds, behind the last the last.
+ * ph_rig_rest(). Before the first key of a track the first holds, behind the last the last. A time below 0 counts as 0.
  */
 void ph_clip_sample(const struct ph_clip *clip, fx_t time, struct ph_pose *pose, int32_t *weights);
 

@@ -23,7 +23,7 @@ extern "C" {
 #define PH_FONT_WIDTH  6 /* px, a cell: 5 pixels and a gap */
 #define PH_FONT_HEIGHT 8 /* px, 7 pixels and a gap */
 
-/* A band: lines y0 .. y0 + lines - 1 of a picture `width` pixels wide. */
+/* A band: lines y0 .. y0 + lines - 1 of a picture `width` pixels wide; y0 and lines are 0 .. 65535. */
 struct ph_overlay_band {
     uint16_t *pixels; /* width * lines, wire order */
     uint16_t width;

@@ -21,7 +21,7 @@ extern "C" {
 
 /* The plane normal . p + d = 0 in world space. The light shines on its side normal . p + d > 0. */
 struct ph_plane_equation {
-    struct fx_vec3 normal_q30; /* unit vector, Q2.30 */
+    struct fx_vec3 normal_q30; /* unit vector, Q2.30; what is beyond -1 .. 1 counts as -1 or 1 */
     fx_t d;                    /* Q16.16 */
 };
 

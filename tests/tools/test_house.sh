@@ -138,6 +138,21 @@ an_unruled_source() {
     unruled "$dir/circle/ahead.c"
 }
 
+# ---- totality -------------------------------------------------------------------------------------
+
+# Functions of these headers, but of the renderer's, that a test does not name.
+uncalled() { # test, header...
+    find "${@:2}" ! -name render.h -exec grep -hoE '^[a-z][a-z0-9_ ]*[ *](fx|ph)_[a-z0-9_]+\(' {} + | grep -oE '[a-z0-9_]+\($' | tr -d '(' | sort -u | while read -r name; do
+        grep -qw "$name" "$1" || echo "$1 does not call $name"
+    done
+}
+
+an_uncalled_function() {
+    printf 'struct fx_vec3 fx_vec3_new(int a);\nint32_t *ph_b(void);\n' >"$dir/circle/new.h"
+    echo 'ph_b();' >"$dir/circle/new.c"
+    uncalled "$dir/circle/new.c" "$dir/circle/new.h"
+}
+
 # ---- walls ---------------------------------------------------------------------------------------
 
 # A source file of this room that includes this header must not compile, for want of the header and nothing else.
@@ -189,6 +204,8 @@ printf 'int a;\n/* %s of a line is drawn. */\n' What >"$dir/circle/odd.c"
 check "... one that does is seen" sees 'odd.c:2' odd_beginnings "$dir/circle"
 check "the stack's bound knows every source that gives work to the other core" none unruled firmware/core/*/*.c
 check "... another one is seen" sees 'ahead.c gives work' an_unruled_source
+check "fuzz_total calls every public function but the renderer's own" none uncalled tests/core/fuzz_total.c firmware/core/*.h
+check "... one that it leaves out is seen" sees 'does not call fx_vec3_new$' an_uncalled_function
 check "no room can include what is another's" walls
 check "... a wall with a hole is seen" sees 'can include render.h' a_hole
 tap_end

@@ -38,6 +38,7 @@ static int64_t term(int32_t a, int32_t b)
     return a != 0 ? fx_mul_wide(a, b) : 0;
 }
 
+/* Components of the normal are -1 .. 1: the sum is then -2^63 or more, and below 2^63. */
 static int64_t height_of(const struct ph_plane_equation *plane, struct fx_vec3 p)
 {
     const struct fx_vec3 n = plane->normal_q30;
@@ -223,13 +224,22 @@ static bool sees_lit_side(const struct ph_renderer *r, const struct ph_plane_equ
     return height_of(&(struct ph_plane_equation){plane->normal_q30, 0}, from) > 0;
 }
 
+static int32_t within_one(int32_t q30)
+{
+    return q30 > FX_Q30_ONE ? FX_Q30_ONE : q30 < -FX_Q30_ONE ? -FX_Q30_ONE : q30;
+}
+
 int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world,
                    struct fx_vec3 light, const struct ph_plane_equation *plane, const struct ph_material *material)
 {
-    struct cast c = {.r = r, .mesh = mesh, .to_world = to_world, .plane = plane, .material = material, .light = light};
-    c.light_height = height_of(plane, light);
+    const struct fx_vec3 normal = plane->normal_q30;
+    const struct ph_plane_equation in_range = {{within_one(normal.x), within_one(normal.y), within_one(normal.z)},
+                                               plane->d};
+    struct cast c = {
+        .r = r, .mesh = mesh, .to_world = to_world, .plane = &in_range, .material = material, .light = light};
+    c.light_height = height_of(&in_range, light);
     c.highest = c.light_height - (c.light_height >> 6);
-    if (c.light_height <= 0 || (material->two_sided == 0 && !sees_lit_side(r, plane))) {
+    if (c.light_height <= 0 || (material->two_sided == 0 && !sees_lit_side(r, &in_range))) {
         return PH_OK;
     }
     while (c.light_height >> c.down >> 30 != 0) { /* at most 33 times */

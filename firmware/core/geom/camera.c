@@ -9,7 +9,7 @@ static struct fx_vec3 opposite(struct fx_vec3 v)
 int ph_camera_from(enum ph_convention convention, struct ph_xform *view, fx_t *near_z, fx_t *far_z)
 {
     if (convention == PH_LMU) {
-        if (*near_z >= 0 || *far_z >= *near_z) {
+        if (*near_z >= 0 || *far_z >= *near_z || *far_z == FX_MIN) { /* 32768 does not fit */
             return PH_ERR_INVAL;
         }
         *near_z = fx_neg_sat(*near_z);

@@ -55,7 +55,7 @@ struct moment {
 
 static struct moment find_key(const struct ph_clip *clip, const struct ph_track *track, fx_t time)
 {
-    const fx_t tick = fx_max(time, 0) >> clip->time_shift;
+    const fx_t at = fx_max(time, 0), tick = at >> clip->time_shift;
     uint32_t low = 0, high = track->key_count; /* the first key behind the time is in low .. high */
     while (low < high) {
         const uint32_t middle = (low + high) / 2;
@@ -69,7 +69,7 @@ static struct moment find_key(const struct ph_clip *clip, const struct ph_track 
         return (struct moment){low == 0 ? 0 : low - 1, 0};
     }
     const fx_t from = track->times[low - 1] << clip->time_shift, to = track->times[low] << clip->time_shift;
-    return (struct moment){low - 1, track->interpolation == PH_KEYS_STEP ? 0 : fx_div_sat(time - from, to - from)};
+    return (struct moment){low - 1, track->interpolation == PH_KEYS_STEP ? 0 : fx_div_sat(at - from, to - from)};
 }
 
 /* The value between key m.key and the next, in units of the keys times 2^16. */
