@@ -40,6 +40,7 @@ struct depth_lab {
     const char *out;  /* --out: a file or directory, or NULL */
     const char *kind; /* plot's KIND or compare's FILE, or NULL */
     const char *demo, *view, *model; /* advise: a scene; NULL: not given */
+    bool allow_outside;              /* the model may name files outside of its folder */
     struct option_camera camera;
     bool fov_set; /* --fov was given */
     uint32_t start, frames;

@@ -100,7 +100,8 @@ static int find(struct depth_layers *s, const struct depth_lab *lab)
                                   nearest_text(lab->demo, nearest_demo, NULL));
         }
     } else {
-        const int status = model_open(&s->model, lab->model, NULL);
+        const struct model_options options = {.allow_outside = lab->allow_outside};
+        const int status = model_open(&s->model, lab->model, &options);
         if (status != 0) {
             return status;
         }

@@ -2,6 +2,7 @@
 
 #include "complain.h"
 #include "depth_ieee.h"
+#include "model.h"
 #include "option_table.h"
 #include "option_text.h"
 
@@ -188,6 +189,7 @@ static const struct option_row rows[] = {
      .at = offsetof(struct depth_lab, view)},
     {"model", "FILE", "a model file on the turntable in place of planes", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct depth_lab, model)},
+    MODEL_OPTION_OUTSIDE(struct depth_lab, allow_outside),
     {"camera", OPTION_CAMERA_FORMS, OPTION_CAMERA_TELLS ". Without it the demo has its own view", OPTION_CAMERA_VALUES,
      .set = set_camera},
     {"start", "N", "number of the first frame of the scene; 0 by default", "a whole number, 0 .. 1000000000",
@@ -265,6 +267,9 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
     const bool scene = lab->demo != NULL || lab->model != NULL;
     if (!scene && (lab->view != NULL || lab->camera.set || lab->start != 0 || lab->frames != 1)) {
         return complain_usage("--view, --camera, --start, --frames: belong to a scene; give --demo or --model");
+    }
+    if (lab->model == NULL && lab->allow_outside) {
+        return complain_usage("--allow-outside: of which model? give --model FILE");
     }
     if (scene && (lab->at_count > 0 || lab->separate != 0 || lab->tilt_set)) {
         return complain_usage("--at, --separate, --tilt: belong to planes; a scene has its own distances and slopes");

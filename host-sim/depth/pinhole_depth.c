@@ -26,7 +26,7 @@ static const struct depth_command commands[] = {
     {"advise",
      "which near plane, format and bits separate S at Z; the separation at Z with this near plane; or what fights in\n"
      "            the frames of a model or demo",
-     " near far depth fov size at separate tilt bits demo view model camera start frames csv json ",
+     " near far depth fov size at separate tilt bits demo view model allow-outside camera start frames csv json ",
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
      "[m],separates at z [m] (measured),up to z [m] (measured),tilt [deg]",
      depth_advise},

@@ -19,9 +19,11 @@
  *
  * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending,
  * emission (a factor, and a texture at the coordinates of the base colour's), unlit, mirrored textures and
- * KHR_texture_transform. A required extension that is not read is an error. A URI is a path from the file's folder, and
- * may leave it (../textures/a.png): the reader opens what the user may open. Of MTL: d and map_d. Blended meshes are
+ * KHR_texture_transform. A required extension that is not read is an error. Of MTL: d and map_d. Blended meshes are
  * drawn in the order of the file. Emission of what has a texture is a mesh of its own, drawn over it.
+ *
+ * A model may name files of its own folder and below: buffers, pictures, materials. One that leads out of it (../,
+ * an absolute path, a link) is an error unless options allow it: what a stranger's model names ends in an image.
  *
  * assimp/ does it with libcjson (glTF, GLB) and libassimp; noassimp/ says what to install. A child process with limits
  * of time and memory reads the file into shared memory: a file that crashes or hangs the reader costs one line, not the
@@ -72,9 +74,19 @@ struct model_options {
     const char *filter;  /* of its textures: "nearest", "bilinear", "mipmap", or "file": as the samplers of a glTF file
                             say; NULL: nearest. A binary scene keeps its own. */
     bool two_sided;      /* all faces are drawn from behind, too */
+    bool allow_outside;  /* it may name files outside of its folder */
 };
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): names, which stand in none */
+/* The row for a member that is model_options.allow_outside. */
+#define MODEL_OPTION_OUTSIDE(options, member)                                                                          \
+    {                                                                                                                  \
+        "allow-outside", NULL,                                                                                         \
+            "the model may name files outside of its folder, such as ../a.png: what it names ends in pictures and\n"   \
+            "        images, so allow it to a model that you trust",                                                   \
+            NULL, .at = offsetof(options, member)                                                                      \
+    }
+
 /* The rows of a struct option_table that set model_options in struct `options`. */
 #define MODEL_OPTION_ROWS(options, member)                                                                             \
     {"up",                                                                                                             \
@@ -92,10 +104,9 @@ struct model_options {
          "nearest, bilinear, mipmap or file",                                                                          \
          .at = offsetof(options, member.filter),                                                                       \
          .words = "nearest|bilinear|mipmap|file"},                                                                     \
-    {                                                                                                                  \
-        "two-sided", NULL, "draws all faces of the model from behind, too", NULL,                                      \
-            .at = offsetof(options, member.two_sided)                                                                  \
-    }
+        {"two-sided", NULL, "draws all faces of the model from behind, too", NULL,                                     \
+         .at = offsetof(options, member.two_sided)},                                                                   \
+        MODEL_OPTION_OUTSIDE(options, member.allow_outside)
 /* NOLINTEND(bugprone-macro-parentheses) */
 
 /* Reads a file; options may be NULL. 0 or COMPLAINED. */

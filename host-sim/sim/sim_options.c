@@ -309,6 +309,7 @@ static int check_together(const struct sim_options *o)
                                  : m->filter != NULL  ? "filter"
                                  : m->up != NULL      ? "up"
                                  : m->two_sided       ? "two-sided"
+                                 : m->allow_outside   ? "allow-outside"
                                  : m->texture != NULL ? "texture"
                                                       : NULL;
     if (o->model == NULL && of_model != NULL) {

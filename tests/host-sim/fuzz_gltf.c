@@ -43,9 +43,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) /* see long_libfuzz
     static uint8_t memory[64 << 20];
     char path[40];
     struct gltf_file file;
-    struct model_shared shared = {.arena = {.base = memory, .size = sizeof memory}};
+    struct model_shared shared = {.arena = {.base = memory, .size = sizeof memory}, .folder.model = path};
     const int fd = put_file(data, size, path);
-    if (gltf_file_open(&file, path)) {
+    if (gltf_file_open(&file, &shared.folder)) {
         struct model_gltf_uv *uvs = calloc(file.lists[GLTF_MATERIALS].count + 1, sizeof *uvs);
         const struct model_material *materials = model_gltf_materials(&shared, &file, uvs);
         const struct aiScene *scene = materials != NULL ? model_gltf_read(&shared, &file, uvs) : NULL;

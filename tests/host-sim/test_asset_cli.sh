@@ -12,7 +12,7 @@ scene=tests/host-sim/asset/scene.gltf
 moving=tests/host-sim/asset/moving.gltf
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
-make -s -j2 B="$B" "$asset" "$B/pinhole-sim" || exit 1
+make -s -j2 B="$B" "$asset" "$B/pinhole-sim" "$B/pinhole-depth" || exit 1
 if "$asset" README.md --report 2>&1 | grep -q 'without assimp'; then echo "built without assimp: apt-get install libassimp-dev" && exit 77; fi
 
 include='-Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards -Iboards/none -Ihost-sim/common -Ihost-sim/picture -Ihost-sim/asset -Ihost-sim/model -Ihost-sim/sim -Ihost-sim/controllers'
@@ -195,6 +195,20 @@ bad_models_are_told_and_leave_nothing() {
         refuses 1 'cannot be written' "$scene" -o "$dir/nowhere/n.c" && refuses 1 'remain, not 1' "$scene" -o "$dir/n.c" --max-triangles 1 && [ "$(echo "$dir"/n.c*)" = "$dir/n.c*" ]
 }
 
+a_model_stays_in_its_folder() { # with every program that reads one
+    local cow=$dir/cow/cow.obj command
+    mkdir -p "$dir/cow" && printf 'newmtl t\nKd 1 0 0\n' >"$dir/secret.mtl" && printf 'mtllib ../secret.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl t\nf 1 2 3\n' >"$cow" || return 1
+    for command in "$asset $cow -o $dir/n.c" "$B/pinhole-sim --model $cow --crc" "$B/pinhole-depth advise --model $cow --size 16x16"; do
+        $command >"$dir/out" 2>"$dir/err"
+        if [ "$?,$(wc -l <"$dir/err")" != 1,1 ] || [ -s "$dir/out" ] || ! grep -q "names ../secret.mtl, which is outside of its folder; --allow-outside" "$dir/err" ||
+            ! $command --allow-outside >"$dir/out" 2>"$dir/err" || [ -s "$dir/err" ]; then
+            echo "$command" && cat "$dir/err" && return 1
+        fi
+    done
+    rm -f "$dir/n.c"
+    [ ! -e "$B/pinhole-panel" ] || "$B/pinhole-panel" --help | grep -q -- '--allow-outside'
+}
+
 a_file_limit_leaves_nothing() { # 1 KiB
     mkdir -p "$dir/limit" && (ulimit -f 1 && refuses 1 'n.c: cannot be written: File too large' "$scene" -o "$dir/limit/n.c") && [ -z "$(ls "$dir/limit")" ]
 }
@@ -273,6 +287,7 @@ check "filters_are_in_the_file_and_change_the_picture" filters_are_in_the_file
 check "odd_names_stay_out_of_the_c_file" odd_names_stay_out_of_the_c_file
 check "wrong_usage_is_told" wrong_usage_is_told
 check "bad_models_are_told_and_leave_nothing" bad_models_are_told_and_leave_nothing
+check "a model reads nothing outside of its folder unless it may" a_model_stays_in_its_folder
 check "a_file_limit_leaves_nothing" a_file_limit_leaves_nothing
 check "every_board_is_in_the_report" reports_every_board
 if ! command -v arm-none-eabi-gcc >/dev/null || ! command -v qemu-system-arm >/dev/null; then

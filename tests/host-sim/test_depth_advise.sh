@@ -224,6 +224,7 @@ while IFS='|' read -r pattern options; do
     check "wrong usage: $options" refuses "$pattern" $options
 done <<'END'
 no such demo|--demo nope
+of which model|--allow-outside
 no such view|--demo zfight --view nope
 exclude each other|--demo cube --model x
 belong to planes|--demo cube --at 3

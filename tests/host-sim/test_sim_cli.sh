@@ -639,6 +639,7 @@ exclude|--board x --size 8x8 --crc
 --up: of which model|--up z --crc
 --two-sided: of which model|--two-sided --crc
 --texture: of which model|--texture x.png --crc
+--allow-outside: of which model|--allow-outside --crc
 --max-triangles: of which model|--max-triangles 100 --crc
 --clip: of which model|--clip walk --crc
 --filter: of which model|--demo cube --filter bilinear --crc

@@ -1,3 +1,5 @@
+#define _DEFAULT_SOURCE /* access */
+
 #include "model_materials.h"
 
 #include "model_surface.h"
@@ -7,23 +9,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define PATH_BYTES 4096
+#include <unistd.h>
 
 /* The colour of a model without materials. */
 static const struct aiColor4D plain = {.86f, .80f, .70f, 1};
-
-/* Makes the path of the file that a material names, which stands beside the model. */
-static bool beside(char out[PATH_BYTES], const char *model_path, const char *name)
-{
-    const char *slash = strrchr(model_path, '/');
-    const int folder = slash == NULL || name[0] == '/' ? 0 : (int)(slash + 1 - model_path);
-    const int n = snprintf(out, PATH_BYTES, "%.*s%s", folder, model_path, name);
-    for (char *at = out; *at != '\0'; at++) {
-        *at = *at == '\\' ? '/' : *at;
-    }
-    return n < PATH_BYTES;
-}
 
 static const struct aiTexture *find_embedded(const struct aiScene *scene, const char *name)
 {
@@ -39,22 +28,19 @@ static const struct aiTexture *find_embedded(const struct aiScene *scene, const 
     return NULL;
 }
 
-void model_materials_note_missing(struct model_shared *shared, const char *model_path)
+void model_materials_note_missing(struct model_shared *shared)
 {
     static const char keyword[] = "mtllib ";
-    char line[1024], path[PATH_BYTES];
-    FILE *model = fopen(model_path, "r");
+    char line[1024], path[MODEL_PATH_BYTES];
+    FILE *model = fopen(shared->folder.model, "r");
     while (model != NULL && fgets(line, sizeof line, model) != NULL) {
         if (strncmp(line, keyword, sizeof keyword - 1) != 0) {
             continue;
         }
         const char *name = line + sizeof keyword - 1;
         line[strcspn(line, "\r\n")] = '\0';
-        FILE *file = beside(path, model_path, name) ? fopen(path, "r") : NULL;
-        if (file == NULL) {
+        if (!model_folder_find(&shared->folder, name, path) || access(path, R_OK) != 0) {
             model_shared_note(shared, "materials %.100s cannot be opened", name);
-        } else {
-            fclose(file);
         }
     }
     if (model != NULL) {
@@ -63,7 +49,7 @@ void model_materials_note_missing(struct model_shared *shared, const char *model
 }
 
 /* NULL, or why there is no picture. */
-static const char *load_picture(const struct aiScene *scene, const char *model_path, const char *name,
+static const char *load_picture(struct model_shared *shared, const struct aiScene *scene, const char *name,
                                 struct picture_in *picture)
 {
     const struct aiTexture *embedded = find_embedded(scene, name);
@@ -71,8 +57,8 @@ static const char *load_picture(const struct aiScene *scene, const char *model_p
         return embedded->mHeight != 0 ? "is raw: only PNG and JPEG are read"
                                       : picture_in_memory(picture, embedded->pcData, embedded->mWidth);
     }
-    char path[PATH_BYTES];
-    return beside(path, model_path, name) ? picture_in_file(picture, path) : "has too long a name";
+    char path[MODEL_PATH_BYTES];
+    return model_folder_find(&shared->folder, name, path) ? picture_in_file(picture, path) : "cannot be opened";
 }
 
 static uint8_t wrap_of(const struct aiMaterial *from, enum aiTextureType type)
@@ -84,7 +70,7 @@ static uint8_t wrap_of(const struct aiMaterial *from, enum aiTextureType type)
 
 /* Reads the texture of a material into the surface; a note says why it cannot be used. */
 static void read_texture(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,
-                         const char *model_path, struct model_surface *to)
+                         struct model_surface *to)
 {
     const enum aiTextureType type =
         aiGetMaterialTextureCount(from, aiTextureType_DIFFUSE) > 0 ? aiTextureType_DIFFUSE : aiTextureType_BASE_COLOR;
@@ -95,7 +81,7 @@ static void read_texture(struct model_shared *shared, const struct aiScene *scen
     snprintf(to->name, sizeof to->name, "%.100s", name.data);
     to->picture.most = 1u << TEXTURE_LOG2_MAX;
     to->wrap[0] = to->wrap[1] = wrap_of(from, type);
-    const char *why = load_picture(scene, model_path, name.data, &to->picture);
+    const char *why = load_picture(shared, scene, name.data, &to->picture);
     if (why != NULL) {
         model_shared_note(shared, "texture %s is left out: it %s", to->name, why);
         return;
@@ -117,7 +103,7 @@ static bool is_cut_out(const struct picture_in *picture)
 
 /* MTL's d and map_d: its alpha, or its grey. An opacity of 0 is written by programs that mean 1. */
 static void read_alpha(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,
-                       const char *model_path, struct model_surface *to)
+                       struct model_surface *to)
 {
     struct aiString name;
     ai_real opacity = 1;
@@ -130,7 +116,7 @@ static void read_alpha(struct model_shared *shared, const struct aiScene *scene,
     }
     struct picture_in *mask = &to->mask;
     mask->most = 1u << TEXTURE_LOG2_MAX;
-    const char *why = load_picture(scene, model_path, name.data, mask);
+    const char *why = load_picture(shared, scene, name.data, mask);
     if (why != NULL) {
         model_shared_note(shared, "transparency %.100s is left out: it %s", name.data, why);
         return;
@@ -147,7 +133,7 @@ static void read_alpha(struct model_shared *shared, const struct aiScene *scene,
 }
 
 static bool read_material(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,
-                          const char *path, struct model_material *to)
+                          struct model_material *to)
 {
     struct aiColor4D c = plain, glow = {0, 0, 0, 1};
     struct aiString name = {0};
@@ -162,16 +148,16 @@ static bool read_material(struct model_shared *shared, const struct aiScene *sce
         .colour = {model_surface_channel(c.r), model_surface_channel(c.g), model_surface_channel(c.b)},
         .glow = {model_surface_channel(glow.r), model_surface_channel(glow.g), model_surface_channel(glow.b)},
         .two_sided = two_sided != 0};
-    read_texture(shared, scene, from, path, &surface);
-    read_alpha(shared, scene, from, path, &surface);
+    read_texture(shared, scene, from, &surface);
+    read_alpha(shared, scene, from, &surface);
     return model_surface_make(shared, &surface, to);
 }
 
-struct model_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene, const char *path)
+struct model_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene)
 {
     struct model_material *materials = demo_alloc(&shared->arena, sizeof *materials * scene->mNumMaterials);
     for (unsigned i = 0; materials != NULL && i < scene->mNumMaterials; i++) {
-        if (!read_material(shared, scene, scene->mMaterials[i], path, &materials[i])) {
+        if (!read_material(shared, scene, scene->mMaterials[i], &materials[i])) {
             return NULL;
         }
     }

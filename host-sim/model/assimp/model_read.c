@@ -1,5 +1,6 @@
 #include "model_read.h"
 
+#include "model_file_io.h"
 #include "model_gltf.h"
 #include "model_materials.h"
 #include "model_meshes.h"
@@ -80,14 +81,14 @@ static bool is_endless_ply(const char *path)
 }
 
 /* Imports the file; the settings stay with the scene for the later steps. */
-static const struct aiScene *import(const char *path, bool is_stl)
+static const struct aiScene *import(const char *path, bool is_stl, struct aiFileIO *io)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
     aiSetImportPropertyInteger(settings, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     aiSetImportPropertyInteger(settings, AI_CONFIG_PP_SLM_VERTEX_LIMIT, (int)MODEL_VERTICES_MAX);
     aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE_DEGREES);
     aiSetImportPropertyInteger(settings, AI_CONFIG_PP_RVC_FLAGS, is_stl ? (int)aiComponent_NORMALS : 0);
-    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, NULL, settings);
+    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, io, settings);
     aiReleasePropertyStore(settings);
     return scene;
 }
@@ -206,10 +207,10 @@ static void turn_up(const struct model_shared *shared, const struct aiScene *sce
     m->c1 = -was.b1, m->c2 = -was.b2, m->c3 = -was.b3, m->c4 = -was.b4;
 }
 
-static bool read_gltf(struct model_shared *shared, const char *path)
+static bool read_gltf(struct model_shared *shared)
 {
     struct gltf_file file;
-    if (!gltf_file_open(&file, path)) {
+    if (!gltf_file_open(&file, &shared->folder)) {
         return model_shared_failed(shared, "is no model that can be read: %s", file.error);
     }
     struct model_gltf_uv *uvs = calloc(file.lists[GLTF_MATERIALS].count + 1, sizeof *uvs);
@@ -228,10 +229,11 @@ static bool read_gltf(struct model_shared *shared, const char *path)
 static bool read_by_assimp(struct model_shared *shared, const char *path)
 {
     const bool is_stl = has_suffix(path, ".stl");
+    struct aiFileIO io = model_file_io(&shared->folder);
     if (is_endless_ply(path)) {
         return model_shared_failed(shared, "is broken: a PLY header without its end");
     }
-    const struct aiScene *scene = import(path, is_stl);
+    const struct aiScene *scene = import(path, is_stl, &io);
     if (scene == NULL) {
         return model_shared_failed(shared, "is no model that can be read: %s", aiGetErrorString());
     }
@@ -244,9 +246,9 @@ static bool read_by_assimp(struct model_shared *shared, const char *path)
         return model_shared_failed(shared, "is broken: %s", aiGetErrorString());
     }
     if (has_suffix(path, ".obj")) {
-        model_materials_note_missing(shared, path);
+        model_materials_note_missing(shared);
     }
-    const struct model_material *materials = model_materials_read(shared, scene, path);
+    const struct model_material *materials = model_materials_read(shared, scene);
     if (materials == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }
@@ -260,5 +262,11 @@ bool model_read(struct model_shared *shared, const char *path)
     if (!model_surface_take_texture(shared)) {
         return false;
     }
-    return is_gltf ? read_gltf(shared, path) : read_by_assimp(shared, path);
+    shared->folder = (struct model_folder){.model = path, .allow_outside = shared->options.allow_outside};
+    const bool is_read = is_gltf ? read_gltf(shared) : read_by_assimp(shared, path);
+    if (shared->folder.outside[0] != '\0') { /* the reader went on without it */
+        return model_shared_failed(shared, "names %.120s, which is outside of its folder; --allow-outside reads it",
+                                   shared->folder.outside);
+    }
+    return is_read;
 }

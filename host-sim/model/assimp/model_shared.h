@@ -3,6 +3,7 @@
 #define MODEL_SHARED_H
 
 #include "model.h"
+#include "model_folder.h"
 
 struct model_gltf_motion;
 
@@ -10,6 +11,7 @@ struct model_shared {
     struct model model;
     struct demo_arena arena; /* behind this struct */
     struct model_options options;
+    struct model_folder folder;       /* what the file may name */
     const struct ph_texture *texture; /* of options.texture, once it is made */
     struct model_gltf_motion *motion; /* what moves; NULL: nothing */
     char error[256];                  /* why it failed, one line */

@@ -147,7 +147,7 @@ static void decode_percent(char *text)
 
 struct gltf_span gltf_file_uri(struct gltf_file *file, const char *uri)
 {
-    char path[GLTF_PATH_BYTES];
+    char name[MODEL_PATH_BYTES], path[MODEL_PATH_BYTES];
     if (strncmp(uri, "data:", 5) == 0) {
         const char *text = strstr(uri, ";base64,");
         if (text == NULL) {
@@ -156,14 +156,15 @@ struct gltf_span gltf_file_uri(struct gltf_file *file, const char *uri)
         }
         return decode_base64(file, text + 8);
     }
-    const char *slash = strrchr(file->path, '/');
-    const int folder = slash == NULL || uri[0] == '/' ? 0 : (int)(slash + 1 - file->path);
-    const int n = snprintf(path, sizeof path, "%.*s%s", folder, file->path, uri);
-    if (n >= (int)sizeof path) {
+    if (snprintf(name, sizeof name, "%s", uri) >= (int)sizeof name) {
         gltf_file_failed(file, "a file name is too long");
         return none();
     }
-    decode_percent(path + folder);
+    decode_percent(name);
+    if (!model_folder_find(file->folder, name, path)) {
+        gltf_file_failed(file, "%.100s cannot be opened", name);
+        return none();
+    }
     return read_whole(file, path);
 }
 
@@ -427,11 +428,11 @@ static bool split_chunks(struct gltf_file *file, struct gltf_span all, struct gl
     return true;
 }
 
-bool gltf_file_open(struct gltf_file *file, const char *path)
+bool gltf_file_open(struct gltf_file *file, struct model_folder *folder)
 {
     struct gltf_span json;
-    *file = (struct gltf_file){.path = path};
-    const struct gltf_span all = read_whole(file, path);
+    *file = (struct gltf_file){.folder = folder};
+    const struct gltf_span all = read_whole(file, folder->model);
     if (all.bytes == NULL || !split_chunks(file, all, &json)) {
         return false;
     }

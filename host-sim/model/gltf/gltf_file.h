@@ -8,6 +8,8 @@
 #ifndef GLTF_FILE_H
 #define GLTF_FILE_H
 
+#include "model_folder.h"
+
 #include <cjson/cJSON.h>
 
 #include <stdbool.h>
@@ -38,7 +40,7 @@ enum gltf_list {
 };
 
 struct gltf_file {
-    const char *path;
+    struct model_folder *folder;
     struct cJSON *json;
     struct gltf_span glb; /* the binary chunk of a GLB */
     struct {
@@ -49,16 +51,15 @@ struct gltf_file {
     char error[160];           /* why a call failed */
 };
 
-#define GLTF_NONE       UINT32_MAX
-#define GLTF_COUNT_MAX  12000000u /* elements of an accessor */
-#define GLTF_PATH_BYTES 4096
+#define GLTF_NONE      UINT32_MAX
+#define GLTF_COUNT_MAX 12000000u /* elements of an accessor */
 
 /* All of these return false, NULL or an empty span after writing file->error. */
 bool gltf_file_failed(struct gltf_file *file, const char *format, ...) __attribute__((format(printf, 2, 3)));
-bool gltf_file_open(struct gltf_file *file, const char *path);
+bool gltf_file_open(struct gltf_file *file, struct model_folder *folder);
 struct gltf_span gltf_file_view(struct gltf_file *file, uint32_t view);
 
-/* The bytes of a URI: data in base64, or a file beside the model. */
+/* The bytes of a URI: data in base64, or a file that the model may name. */
 struct gltf_span gltf_file_uri(struct gltf_file *file, const char *uri);
 
 /* Reads an accessor as count x components numbers; sparse values are in place, integers are normalized if it says so.
