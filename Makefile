@@ -144,7 +144,11 @@ ifneq ($(KIT),)
 $(B)/firmware/core/%.o: override CFLAGS += $(call core_level,$(*F))
 endif
 
-ALL_FLAGS = $(if $(KIT),$(CORE_O3_armv6m) - $(CORE_O2_armv6m)) $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE) $(if $(OUT),$(BOARD_HOME))
+# CHECKED=1: the library looks at the indices of meshes (firmware/core/render/check.h). The default but on bare metal.
+CHECKED ?= $(if $(findstring -ffreestanding,$(CFLAGS)),,1)
+$(B)/firmware/core/render/check.o: DEFS += $(if $(CHECKED),-DPH_CHECKED=1)
+
+ALL_FLAGS = $(if $(CHECKED),checked) $(if $(KIT),$(CORE_O3_armv6m) - $(CORE_O2_armv6m)) $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE) $(if $(OUT),$(BOARD_HOME))
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 .PHONY: all demo check test test-exhaustive proof lint bench size depth gallery golden clean help core-objects firmware-objects test-programs long-programs fuzz-programs FORCE
@@ -260,6 +264,6 @@ clean: ## removes build/
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
-	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m|rv32 B=build V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
+	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m|rv32 B=build CHECKED=1 V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
 
 -include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d) $(patsubst %.c,$(B)/%.d,$(wildcard hal/rp2350/emulate/*.c hal/rp2040/emulate/*.c))

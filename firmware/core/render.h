@@ -136,6 +136,8 @@ struct ph_part {
 
 /* Triangles are counter-clockwise seen from outside. There are at most 65536 vertices. All data may lie in flash.
  * Materials (with ramps and textures) and uvs must stay until the last band is drawn; all else only while it is drawn.
+ * A material that has changed meanwhile, because it lay on a stack for example, ends the frame: ph_show returns
+ * PH_ERR_STATE, and ph_frame_bands or the last ph_draw_band 0. What its ramp and its texture hold is not looked at.
  */
 struct ph_mesh {
     const struct fx_vec3 *positions;
@@ -145,7 +147,9 @@ struct ph_mesh {
     const uint16_t (*edges)[2]; /* for PH_SHADE_WIRE; NULL if edge_count is 0 */
     const struct ph_part *parts;
     const struct ph_material *materials;
-    uint32_t vertex_count, triangle_count, edge_count, part_count;
+    uint32_t vertex_count, triangle_count, edge_count;
+    uint16_t part_count;
+    uint16_t material_count; /* in a checked build no part may have another material; 0: not told, and not checked */
     /* A colour for each vertex, wire order, in place of the colour and the ramp of materials that are UNLIT, FLAT or
      * GOURAUD. It is interpolated on the screen, also if it is UNLIT. NULL without. In linear-w a triangle has the
      * colour of its first vertex. */
@@ -400,7 +404,10 @@ int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
 
 /*
  * Draws a mesh. to_world places it: a rigid transform with a uniform scale below 2.
- * Errors: PH_ERR_NOMEM: the mesh has more vertices than the vertex budget; it is left out and counted. (If other meshes
+ * Errors: PH_ERR_INVAL: to_world is NULL, or so is something that a count of the mesh says is there. Built with
+ *         -DPH_CHECKED also: a triangle or an edge names a vertex, or a part triangles or a material, that are not
+ *         there. Nothing is drawn.
+ *         PH_ERR_NOMEM: the mesh has more vertices than the vertex budget; it is left out and counted. (If other meshes
  *         have taken the room, it is counted, too, but that is no error.) PH_ERR_STATE: no frame has begun, or its
  *         bands are made; nothing is drawn.
  */
@@ -421,17 +428,20 @@ int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, 
  * Its longer axis on the screen is x or y, x if both are as long. It has one pixel in each column (or row) whose centre
  * lies between its ends, the left (upper) end included, the other not: the pixel that it runs through there. Where it
  * runs along the border of two pixels, it takes the upper (left) one. So lines that share an end draw no column twice.
+ *
+ * Where ph_draw_mesh returns PH_ERR_STATE, nothing is drawn or counted. Without a material the frame ends: the next
+ * function that returns a status tells it by PH_ERR_STATE.
  */
 void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material);
 
 /* Sorts the triangles into bands, after which no more can be drawn. Returns the number of bands; 0 if no frame has
- * begun, or its bands are made already. */
+ * begun, its bands are made already, or a material is not as it was when it was drawn. */
 uint32_t ph_frame_bands(struct ph_renderer *r);
 
 /*
  * Clears and draws band number `band`. Call it for all bands in order from 0, the top, each once. pixels has room for
  * width * band_height pixels in wire order. Returns the number of lines; 0, with nothing written, for a band out of
- * turn.
+ * turn; 0 for the last band, too, if a material has changed since it was drawn: then the picture is not right.
  */
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 
@@ -445,7 +455,8 @@ typedef int ph_flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint
  * it was; the first frame, and the one after a frame that was stopped, are given whole.
  * Text and pictures of overlay.h are drawn into a band's pixels: they need a loop with ph_draw_band in its place.
  * Errors: PH_ERR_INVAL: config.pixels or config.pixel_order is wrong. PH_ERR_STATE: no frame has begun, or it was shown
- * already, perhaps in part: flush is not called. Else what flush returned.
+ * already, perhaps in part: flush is not called; or a material has changed since it was drawn: flush is not called
+ * again. Else what flush returned.
  */
 int ph_show(struct ph_renderer *r, ph_flush *flush, void *context);
 

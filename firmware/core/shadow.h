@@ -41,7 +41,8 @@ struct ph_plane_equation {
  *         1/32), which moves nothing on the screen.
  * Out:    0, also where there is no shadow. A point of the shadow is within 1 LSB, times its distance from the light
  *         over the object's (at most 64). Statistics count as in ph_draw_mesh. Wire parts cast no shadow.
- * Errors: PH_ERR_NOMEM: the mesh does not fit the vertex budget; its shadow is left out and counted.
+ * Errors: PH_ERR_INVAL: to_world, plane or material is NULL, or the mesh is one that ph_draw_mesh refuses.
+ *         PH_ERR_NOMEM: the mesh does not fit the vertex budget; its shadow is left out and counted.
  */
 int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world,
                    struct fx_vec3 light, const struct ph_plane_equation *plane, const struct ph_material *material);

@@ -50,7 +50,9 @@ static bool finish_mesh(struct demo_arena *arena, const struct ph_mesh *from, st
     *material = from->materials[from->parts->material];
     to->parts = part;
     to->materials = material;
-    to->part_count = 1;
+    to->edges = NULL;
+    to->edge_count = 0;
+    to->part_count = to->material_count = 1;
     return true;
 }
 

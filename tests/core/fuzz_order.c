@@ -1,13 +1,14 @@
 /*
  * Calls of the renderer in any order, right and wrong: refused frames, bands out of turn, flushes that stop, a frame
- * that is shown twice, renderers that were refused. No call may write outside the caller's memory (AddressSanitizer),
+ * that is shown twice, renderers that were refused; pointers that are NULL, indices that name nothing, materials that
+ * change between a draw and the bands. No call may write outside the caller's memory (AddressSanitizer),
  * every return value must be what the order so far makes it, and a frame drawn in the right order afterwards must have
  * the pixels that it has on a fresh renderer.
  *
  * Usage: fuzz_order [quick | long | CALLS [SEED]]
  * quick (the default) is half a million calls, long ten million.
  */
-#include "render.h"
+#include "list.h"
 #include "shadow.h"
 #include "status.h"
 
@@ -44,7 +45,10 @@ struct subject {
     struct ph_config config;
     struct ph_renderer r;
     enum stage stage;
-    uint32_t bands, next; /* while stage is BANDS */
+    uint32_t bands, next;            /* while stage is BANDS */
+    struct ph_material materials[3]; /* as `materials`, and may change */
+    struct ph_material *changed;     /* one of them that was drawn with, in a frame that is not finished; else NULL */
+    struct ph_material was;
     uint32_t flushes, stop_at;
 };
 
@@ -52,7 +56,7 @@ static const struct fx_vec3 corners[] = {{-FX_ONE, -FX_ONE, 0}, {FX_ONE, -FX_ONE
 static const uint16_t faces[][3] = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 static const uint16_t edges[][2] = {{0, 1}, {1, 2}};
 static const struct ph_part all = {.count = 4};
-static struct ph_material materials[3]; /* plain, blended, edges */
+static struct ph_material materials[3];
 static struct ph_mesh meshes[3];
 static struct ph_projection lens;
 static struct ph_xform view;
@@ -73,7 +77,8 @@ static void make_scene(void)
                                      .vertex_count = 4,
                                      .triangle_count = 4,
                                      .edge_count = 2,
-                                     .part_count = 1};
+                                     .part_count = 1,
+                                     .material_count = 1};
     }
     view = ph_xform_translate(0, 0, FX_INT(-3));
     check(ph_projection_perspective(&lens, FX_INT(45), FX_ONE, FX_HALF, FX_INT(10)) == PH_OK, "the lens");
@@ -102,6 +107,7 @@ static void open_subject(struct subject *s)
 {
     const uint32_t lines = 1 + below(LINES), bands = (LINES + lines - 1) / lines, n = 4 + below(60);
     memset(s, 0, sizeof *s);
+    memcpy(s->materials, materials, sizeof materials);
     s->config = (struct ph_config){.width = WIDTH,
                                    .height = LINES,
                                    .band_height = (uint16_t)lines,
@@ -164,12 +170,48 @@ static int spoil(struct ph_config *c)
     }
 }
 
+/* A mesh that must be refused: something is not there. */
+static struct ph_mesh spoilt_mesh(const struct ph_mesh *from)
+{
+    static const struct ph_part parts[] = {{.first = 1, .count = 4},          {.first = 5},
+                                           {.first = UINT32_MAX, .count = 2}, {.count = UINT32_MAX},
+                                           {.count = 4, .material = 1},       {.count = 4, .material = UINT16_MAX}};
+    static const uint16_t stray[][3] = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 4}};
+    static const uint16_t stray_edges[][2] = {{0, 1}, {UINT16_MAX, 2}};
+    struct ph_mesh mesh = *from;
+    switch (below(7)) {
+    case 0:
+        mesh.positions = NULL;
+        break;
+    case 1:
+        mesh.triangles = NULL;
+        break;
+    case 2:
+        mesh.parts = NULL;
+        break;
+    case 3:
+        mesh.materials = NULL;
+        break;
+    case 4: /* the parts of edges name no triangles */
+        mesh.parts = &parts[mesh.materials->shading == PH_SHADE_WIRE ? 4 + below(2) : below(6)];
+        break;
+    case 5:
+        mesh.triangles = stray;
+        break;
+    default:
+        mesh.edges = below(2) != 0 ? stray_edges : NULL;
+        break;
+    }
+    return mesh;
+}
+
 static void call_init(struct subject *s)
 {
     struct ph_config config = s->config;
     const int must = below(3) == 0 ? spoil(&config) : PH_OK;
     check(ph_renderer_init(&s->r, &config) == must, "ph_renderer_init");
     s->stage = must == PH_OK ? IDLE : REFUSED;
+    s->changed = NULL;
 }
 
 static void call_begin(struct subject *s)
@@ -180,6 +222,60 @@ static void call_begin(struct subject *s)
     const int status = ph_frame_begin(&s->r, &view, refused ? &wrong : &lens, NULL, 0);
     check(status == (s->stage == REFUSED ? PH_ERR_STATE : refused ? PH_ERR_INVAL : PH_OK), "ph_frame_begin");
     s->stage = s->stage == REFUSED ? REFUSED : refused ? IDLE : DRAWING;
+    s->changed = NULL;
+}
+
+static void change(struct ph_material *m)
+{
+    static const struct ph_texture texture = {.texels = (const uint16_t *)faces};
+    static const uint16_t ramp[PH_RAMP_SIZE];
+    switch (below(9)) {
+    case 0:
+        m->two_sided ^= 1;
+        break;
+    case 1:
+        m->shininess_log2 ^= 4;
+        break;
+    case 2:
+        m->depth_bias++;
+        break;
+    case 3:
+        m->ambient ^= 1 << below(17);
+        break;
+    case 4:
+        m->diffuse ^= 1 << below(17);
+        break;
+    case 5:
+        m->colour ^= (uint16_t)(1u << below(16));
+        break;
+    case 6:
+        m->depth_bias_slope ^= 2;
+        break;
+    case 7:
+        m->ramp = m->ramp == NULL ? ramp : NULL;
+        break;
+    default:
+        m->texture = m->texture == NULL ? &texture : NULL;
+        break;
+    }
+}
+
+/* Changes a material, or changes it back. */
+static void call_change(struct subject *s)
+{
+    if (s->changed != NULL) {
+        *s->changed = s->was;
+        s->changed = NULL;
+        return;
+    }
+    struct ph_material *const m = &s->materials[below(3)];
+    for (uint32_t place = s->r.list.first; s->stage >= DRAWING && place != UINT32_MAX;) {
+        const struct ph_draw *const draw = ph_at(&s->r, place);
+        s->changed = draw->material == m ? m : s->changed;
+        place = draw->next;
+    }
+    s->was = *m;
+    change(m);
 }
 
 static void call_draw(struct subject *s)
@@ -187,17 +283,21 @@ static void call_draw(struct subject *s)
     static const struct ph_plane_equation floor = {.normal_q30 = {0, 1 << 30, 0}, .d = FX_ONE};
     const struct ph_xform place = ph_xform_rotate_y(below(UINT32_MAX));
     const struct fx_vec3 lamp = {0, FX_INT(4), 0};
-    const uint32_t kind = below(3), what = below(6);
+    const uint32_t kind = below(3), what = below(6), dropped = s->r.stats.triangles_dropped;
+    const struct ph_material *const own = s->changed != NULL ? materials : s->materials;
+    struct ph_mesh mesh = meshes[kind];
     int status = PH_OK;
+    mesh.materials = &own[kind];
     switch (what) {
     case 0:
-        ph_draw_line(&s->r, corners[0], corners[2], &materials[0]);
+        ph_draw_line(&s->r, corners[0], corners[2], &own[0]);
+        check(s->stage == DRAWING || s->r.stats.triangles_dropped == dropped, "a line is counted after the frame");
         return;
     case 1:
-        status = ph_draw_billboard(&s->r, corners[1], FX_ONE, FX_ONE, &materials[kind % 2]);
+        status = ph_draw_billboard(&s->r, corners[1], FX_ONE, FX_ONE, &own[kind % 2]);
         break;
     case 2:
-        status = ph_draw_shadow(&s->r, &meshes[0], &place, lamp, &floor, &materials[kind % 2]);
+        status = ph_draw_shadow(&s->r, &meshes[0], &place, lamp, &floor, &own[kind % 2]);
         break;
     case 3:
         status = ph_frame_camera(&s->r, &view, &lens);
@@ -206,18 +306,55 @@ static void call_draw(struct subject *s)
         status = ph_frame_fog(&s->r, &(struct ph_fog){0, FX_ONE, FX_INT(4)});
         break;
     default:
-        status = ph_draw_mesh(&s->r, &meshes[kind], &place);
+        status = ph_draw_mesh(&s->r, &mesh, &place);
         break;
     }
     check(status == (s->stage == DRAWING ? PH_OK : PH_ERR_STATE), "a draw");
+}
+
+/* Draws what must be refused, and nothing of it is listed. */
+static void call_draw_wrong(struct subject *s)
+{
+    static const struct ph_plane_equation floor = {.normal_q30 = {0, 1 << 30, 0}, .d = FX_ONE};
+    const struct fx_vec3 lamp = {0, FX_INT(4), 0};
+    const struct ph_mesh wrong = spoilt_mesh(&meshes[below(3)]);
+    const struct ph_ref *const to = s->r.list.to;
+    int status = PH_ERR_INVAL;
+    switch (below(8)) {
+    case 0:
+        ph_draw_line(&s->r, corners[0], corners[2], NULL);
+        s->stage = s->stage == DRAWING ? IDLE : s->stage;
+        break;
+    case 1:
+        status = ph_draw_billboard(&s->r, corners[1], FX_ONE, FX_ONE, NULL);
+        break;
+    case 2:
+        status = ph_draw_shadow(&s->r, &meshes[0], &view, lamp, &floor, NULL);
+        break;
+    case 3:
+        status = ph_draw_shadow(&s->r, &wrong, &view, lamp, &floor, &materials[0]);
+        break;
+    case 4:
+        status = ph_draw_mesh(&s->r, &meshes[0], NULL);
+        break;
+    case 5:
+        status = ph_draw_mesh(&s->r, NULL, &view);
+        break;
+    default:
+        status = ph_draw_mesh(&s->r, &wrong, &view);
+        break;
+    }
+    check(status == PH_ERR_INVAL && s->r.list.to == to, "a wrong draw");
 }
 
 static void call_bands(struct subject *s)
 {
     const uint32_t all_bands = (LINES + s->config.band_height - 1u) / s->config.band_height;
     const uint32_t bands = ph_frame_bands(&s->r);
-    check(bands == (s->stage == DRAWING ? all_bands : 0), "ph_frame_bands");
-    if (s->stage == DRAWING) {
+    check(bands == (s->stage == DRAWING && s->changed == NULL ? all_bands : 0), "ph_frame_bands");
+    if (s->stage == DRAWING && s->changed != NULL) {
+        s->stage = IDLE;
+    } else if (s->stage == DRAWING) {
         s->stage = BANDS;
         s->bands = bands;
         s->next = 0;
@@ -229,8 +366,9 @@ static void call_band(struct subject *s)
     static const uint32_t far[] = {UINT16_MAX, UINT16_MAX + 1, UINT32_MAX, 1024};
     const uint32_t band = below(3) != 0 ? s->next : below(2) != 0 ? below(LINES) : far[below(4)];
     const bool right = s->stage == BANDS && band == s->next && band < s->bands;
+    const bool told = right && s->changed != NULL && band == s->bands - 1;
     const uint32_t lines = ph_draw_band(&s->r, band, s->config.pixels);
-    check(right == (lines > 0) && lines <= s->config.band_height, "ph_draw_band");
+    check((right && !told) == (lines > 0) && lines <= s->config.band_height, "ph_draw_band");
     s->next += right;
 }
 
@@ -238,6 +376,9 @@ static int flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t
 {
     struct subject *s = context;
     check(pixels == s->config.pixels && width > 0 && height > 0 && x + width <= WIDTH && y + height <= LINES, "flush");
+    if (below(16) == 0 && s->r.list.band < s->r.band_count) { /* the last band is still to come */
+        call_change(s);
+    }
     return s->flushes++ == s->stop_at ? 7 : 0;
 }
 
@@ -245,10 +386,17 @@ static void call_show(struct subject *s)
 {
     s->flushes = 0;
     s->stop_at = below(2) != 0 ? below(4) : UINT32_MAX;
+    const enum stage stage = s->stage;
+    const bool changed = s->changed != NULL;
     const int status = ph_show(&s->r, flush, s);
-    const int must = s->stage == REFUSED ? PH_ERR_INVAL : s->stage != DRAWING ? PH_ERR_STATE : 0;
-    check(must == 0 ? status == (s->flushes > s->stop_at ? 7 : 0) : status == must && s->flushes == 0, "ph_show");
-    if (must == 0) {
+    const bool begins = stage == DRAWING && !changed;
+    check(begins ? status == (s->flushes > s->stop_at ? 7
+                              : s->changed != NULL    ? PH_ERR_STATE
+                                                      : 0)
+                 : status == PH_ERR_STATE && s->flushes == 0,
+          "ph_show");
+    s->stage = stage == DRAWING ? IDLE : stage;
+    if (begins) {
         s->stage = BANDS;
         s->bands = (LINES + s->config.band_height - 1u) / s->config.band_height;
         s->next = s->r.list.band; /* a flush that stopped it leaves the bands below */
@@ -291,8 +439,9 @@ static void check_recovery(struct subject *s)
 
 static int fuzz(uint32_t calls, uint64_t seed)
 {
-    static void (*const call[])(struct subject * s) = {call_begin, call_begin, call_draw, call_draw, call_draw,
-                                                       call_draw,  call_bands, call_band, call_band, call_show};
+    static void (*const call[])(struct subject * s) = {call_begin, call_begin, call_draw,       call_draw,
+                                                       call_draw,  call_draw,  call_draw_wrong, call_change,
+                                                       call_bands, call_band,  call_band,       call_show};
     uint32_t seen[4] = {0};
     printf("%u calls, seed %llu\n", (unsigned)calls, (unsigned long long)seed);
     make_scene();

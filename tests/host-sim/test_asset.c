@@ -471,7 +471,15 @@ static void a_texture_is_shrunk_by_its_means_and_shared_once(void **state)
         .texels = texels + 7, .log2_width = 0, .log2_height = 0, .wrap = PH_WRAP_REPEAT};
     struct ph_material other_material = material;
     other_material.texture = &other_texture;
-    struct ph_mesh meshes[3] = {{places, normals, uvs, corners, NULL, &part, &material, 3, 1, 0, 1, NULL}};
+    struct ph_mesh meshes[3] = {{.positions = places,
+                                 .normals = normals,
+                                 .uvs = uvs,
+                                 .triangles = corners,
+                                 .parts = &part,
+                                 .materials = &material,
+                                 .vertex_count = 3,
+                                 .triangle_count = 1,
+                                 .part_count = 1}};
     meshes[1] = meshes[0];
     meshes[2] = meshes[0];
     meshes[2].materials = &other_material;

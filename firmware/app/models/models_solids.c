@@ -116,7 +116,7 @@ int model_lathe(struct demo_arena *arena, struct ph_mesh *mesh, const struct mod
         parts[stripe].count = build.triangle_count - parts[stripe].first;
     }
     mesh->parts = parts;
-    mesh->part_count = stripes;
+    mesh->part_count = (uint16_t)stripes;
     mesh->materials = materials;
     return PH_OK;
 }

@@ -1,6 +1,7 @@
 /* Planar shadows: see shadow.h. Heights above the plane are Q18.46, as exact products of Q2.30 and Q16.16 are. */
 #include "shadow.h"
 
+#include "check.h"
 #include "clipped.h"
 #include "cull.h"
 #include "fisheye.h"
@@ -232,6 +233,9 @@ static int32_t within_one(int32_t q30)
 int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world,
                    struct fx_vec3 light, const struct ph_plane_equation *plane, const struct ph_material *material)
 {
+    if (!ph_check_mesh(mesh) || to_world == NULL || plane == NULL || material == NULL) {
+        return PH_ERR_INVAL;
+    }
     const struct fx_vec3 normal = plane->normal_q30;
     const struct ph_plane_equation in_range = {{within_one(normal.x), within_one(normal.y), within_one(normal.z)},
                                                plane->d};

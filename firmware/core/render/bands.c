@@ -7,6 +7,7 @@
  * of slots changes the speed, and nothing else.
  */
 #include "band.h"
+#include "check.h"
 #include "coarse.h"
 #include "cores.h"
 #include "feed.h"
@@ -511,5 +512,5 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     if (r->fine != 0) {
         ph_fine_means(&rows, &in, r->background, pixels);
     }
-    return (uint32_t)(y1 - y0) >> r->fine;
+    return r->list.band < r->band_count || ph_check_materials(r) ? (uint32_t)(y1 - y0) >> r->fine : 0;
 }

@@ -58,6 +58,13 @@ void ph_draw_clipped_line(struct ph_renderer *r, const struct ph_material *mater
 
 void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material)
 {
+    if (r->list.is_closed == PH_LIST_CLOSED) {
+        return;
+    }
+    if (material == NULL) {
+        ph_list_close(r); /* which the next call tells */
+        return;
+    }
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
     const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
     const uint32_t before = ph_ref_count(r);

@@ -64,22 +64,13 @@ static void sort_refs(struct ph_renderer *r)
     }
 }
 
-uint32_t ph_frame_bands(struct ph_renderer *r)
+void ph_feed_sort(struct ph_renderer *r)
 {
     uint32_t *const bins = r->config.bins;
-    if (r->list.is_closed == PH_LIST_CLOSED) {
-        return 0;
-    }
     for (uint32_t i = r->band_count; i > 0; i--) {
         bins[i - 1] = PH_NONE;
     }
     sort_refs(r);
-    r->carried = r->slots = r->ahead = NULL;
-    r->slots_used[0] = r->list.used[1];
-    r->slots_used[1] = r->list.used[2];
-    ph_list_close(r);
-    r->list.band = 0;
-    return r->band_count;
 }
 
 /* ---- the list of a band ----------------------------------------------------------------------------------------- */

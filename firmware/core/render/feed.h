@@ -17,6 +17,9 @@ struct ph_feed {
     struct ph_setting setting;
 };
 
+/* Puts the references of a frame into the lists of their bands. */
+void ph_feed_sort(struct ph_renderer *r);
+
 /* Begins with the first reference of a band. */
 void ph_feed_start(struct ph_feed *f, struct ph_renderer *r, uint32_t band);
 

@@ -1,7 +1,8 @@
 /* Renderer and camera: see render.h. */
+#include "check.h"
 #include "edge.h"
+#include "feed.h"
 #include "fisheye.h"
-#include "list.h"
 
 /* A triangle that can be seen takes a reference of 8 bytes. Of a closed mesh half can be seen, and there are half as
  * many vertices as triangles: so another 16 bytes hold as many vertices, however many meshes there are. */
@@ -200,4 +201,24 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     r->stats = (struct ph_stats){.depth_format = (uint8_t)format, .depth_exponent = (uint8_t)exponent};
     ph_list_begin(r);
     return PH_OK;
+}
+
+uint32_t ph_frame_bands(struct ph_renderer *r)
+{
+    if (r->list.is_closed == PH_LIST_CLOSED) {
+        return 0;
+    }
+    const bool is_kept = ph_check_materials(r);
+    if (is_kept) {
+        ph_feed_sort(r);
+    }
+    r->carried = r->slots = r->ahead = NULL;
+    r->slots_used[0] = r->list.used[1];
+    r->slots_used[1] = r->list.used[2];
+    ph_list_close(r);
+    if (!is_kept) {
+        return 0;
+    }
+    r->list.band = 0;
+    return r->band_count;
 }

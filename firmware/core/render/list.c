@@ -1,6 +1,7 @@
 /* See list.h. */
 #include "list.h"
 
+#include "colour.h"
 #include "edge.h"
 #include "kernels.h"
 
@@ -229,6 +230,7 @@ bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw)
         last = draw_at(r, place);
     }
     *last = *draw;
+    last->sum[0] = ph_material_sum(draw->material);
     last->first = count;
     last->next = PH_NONE;
     last->lens = lens;

@@ -36,13 +36,14 @@ enum ph_draw_kind {
 /* What references have in common. */
 struct ph_draw {
     const struct ph_material *material;
-    const fx_t (*uvs)[2];                         /* of the vertices of a mesh, or NULL */
-    uint32_t first;                               /* number of the first reference */
-    uint32_t next;                                /* place of the next draw, PH_NONE at the end */
-    uint32_t base;                                /* place of corner 0 */
-    uint32_t lens;                                /* place of the camera's lens */
-    uint32_t kind;                                /* enum ph_draw_kind, combined by OR */
-    uint32_t unused[sizeof(void *) == 4 ? 3 : 1]; /* a draw has 40 bytes on every machine: the same fits everywhere */
+    const fx_t (*uvs)[2];                      /* of the vertices of a mesh, or NULL */
+    uint32_t first;                            /* number of the first reference */
+    uint32_t next;                             /* place of the next draw, PH_NONE at the end */
+    uint32_t base;                             /* place of corner 0 */
+    uint32_t lens;                             /* place of the camera's lens */
+    uint32_t kind;                             /* enum ph_draw_kind, combined by OR */
+    uint32_t sum[sizeof(void *) == 4 ? 3 : 1]; /* the first: ph_material_sum; the others are unused: a
+                                                  draw has 40 bytes on every machine, so that the same fits */
 };
 
 /* What a place names. */

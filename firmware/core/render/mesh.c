@@ -1,4 +1,5 @@
 /* Meshes: triangles are rejected, culled, lit, clipped and listed. See clipped.h, list.h, render.h. */
+#include "check.h"
 #include "clipped.h"
 #include "colour.h"
 #include "cores.h"
@@ -494,7 +495,7 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
     }
 }
 
-int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
+int ph_mesh_draw(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
     const struct ph_mark mark = ph_list_mark(r);
     const uint32_t n = mesh->vertex_count, place = n - 1 < r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;

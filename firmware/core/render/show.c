@@ -1,6 +1,6 @@
 /* ph_show: a frame through a function of the caller's. See render.h. */
 #include "colour.h"
-#include "render.h"
+#include "list.h"
 
 size_t ph_pixel_bytes(unsigned order)
 {
@@ -64,6 +64,9 @@ int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
 {
     const struct ph_config *const config = &r->config;
     uint16_t *const pixels = config->pixels;
+    if (r->list.is_closed == PH_LIST_CLOSED) {
+        return PH_ERR_STATE;
+    }
     if (pixels == NULL || (uintptr_t)pixels % sizeof(uint16_t) != 0 || config->pixel_order > PH_PIXELS_RGB888) {
         return PH_ERR_INVAL;
     }
@@ -72,6 +75,10 @@ int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
     int status = bands > 0 ? PH_OK : PH_ERR_STATE;
     for (uint32_t band = 0, y = 0, lines; band < bands && status == PH_OK; band++, y += lines) {
         lines = ph_draw_band(r, band, pixels);
+        if (lines == 0) {
+            status = PH_ERR_STATE;
+            break;
+        }
         struct changed c = {0, 0, width, lines};
         if (config->shown != NULL) {
             const struct changed found = find_changes(pixels, config->shown + (size_t)y * width, width, lines);

@@ -1,0 +1,60 @@
+/* See check.h, render.h. */
+#include "check.h"
+
+#include "colour.h"
+#include "list.h"
+
+static bool has_stray_index(const uint16_t *index, uint32_t n, uint32_t vertex_count)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        if (index[i] >= vertex_count) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool has_stray_part(const struct ph_mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->part_count; i++) {
+        const struct ph_part *const part = &mesh->parts[i];
+        if (mesh->material_count != 0 && part->material >= mesh->material_count) {
+            return true;
+        }
+        if (mesh->materials[part->material].shading != PH_SHADE_WIRE &&
+            (part->first > mesh->triangle_count || part->count > mesh->triangle_count - part->first)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool ph_check_mesh(const struct ph_mesh *mesh)
+{
+    if (mesh == NULL || (mesh->vertex_count > 0 && mesh->positions == NULL) ||
+        (mesh->triangle_count > 0 && mesh->triangles == NULL) || (mesh->edge_count > 0 && mesh->edges == NULL) ||
+        (mesh->part_count > 0 && (mesh->parts == NULL || mesh->materials == NULL))) {
+        return false;
+    }
+    return !PH_CHECKED ||
+           (!has_stray_part(mesh) &&
+            !has_stray_index((const uint16_t *)mesh->triangles, 3 * mesh->triangle_count, mesh->vertex_count) &&
+            !has_stray_index((const uint16_t *)mesh->edges, 2 * mesh->edge_count, mesh->vertex_count));
+}
+
+bool ph_check_materials(const struct ph_renderer *r)
+{
+    const struct ph_draw *draw;
+    for (uint32_t place = r->list.first; place != PH_NONE; place = draw->next) {
+        draw = ph_at(r, place);
+        if (ph_material_sum(draw->material) != draw->sum[0]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
+{
+    return ph_check_mesh(mesh) && to_world != NULL ? ph_mesh_draw(r, mesh, to_world) : PH_ERR_INVAL;
+}

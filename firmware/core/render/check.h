@@ -1,0 +1,26 @@
+/*
+ * check: calls that a program must not make are refused before they read or write what is not there. Private to
+ * firmware/core.
+ *
+ * A library that is built with -DPH_CHECKED looks at every index of a mesh, too, which takes about as long as to
+ * transform it. Programs of a computer and all tests are built so, images for kits are not.
+ */
+#ifndef PH_CHECK_H
+#define PH_CHECK_H
+
+#include "render.h"
+
+#ifndef PH_CHECKED
+#define PH_CHECKED 0
+#endif
+
+/* Whether a mesh has all that its numbers say. */
+bool ph_check_mesh(const struct ph_mesh *mesh);
+
+/* Whether the materials of all draws are as they were when they were drawn. */
+bool ph_check_materials(const struct ph_renderer *r);
+
+/* ph_draw_mesh for a mesh that is right; see mesh.c. */
+int ph_mesh_draw(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
+
+#endif
