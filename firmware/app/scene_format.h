@@ -94,10 +94,10 @@ static inline const struct scene_file_mesh *scene_file_table(const struct scene_
     return (const void *)((const uint8_t *)head + sizeof(*head));
 }
 
-/* What is at an offset; 0: NULL. */
+/* What is at an offset, which may be none that is in the scene until it was checked; 0: NULL. */
 static inline const void *scene_file_at(const struct scene_file_head *head, uint32_t offset)
 {
-    return offset != 0 ? (const uint8_t *)head + offset : NULL;
+    return offset != 0 ? (const void *)((uintptr_t)head + offset) : NULL;
 }
 
 /* Whether so many things from an offset on lie behind the head, and in the scene. */
