@@ -82,11 +82,15 @@ static int open_directory(struct frame_out *out)
 static int open_gif(struct frame_out *out)
 {
     out->kind = FRAME_OUT_GIF;
-    out->gif = gif_out_new();
+    const int status = gif_out_new(&out->gif, out->path);
     if (gif_out_reason != NULL) {
         return complain("%s: %s", out->path, gif_out_reason);
     }
-    return out->gif != NULL ? 0 : complain("not enough memory for a GIF");
+    if (status != 0) {
+        gif_out_free(out->gif);
+        return complain("%s: cannot be written: %s", out->path, strerror(-status));
+    }
+    return 0;
 }
 
 int frame_out_open(struct frame_out *out, const char *target, bool several, uint32_t last)
@@ -97,6 +101,7 @@ int frame_out_open(struct frame_out *out, const char *target, bool several, uint
     out->digits = snprintf(NULL, 0, "%u", (unsigned)last);
     out->digits = out->digits > 4 ? out->digits : 4;
     out->gif = NULL;
+    out->is_full = false;
     out->made = 0;
     out->kind = FRAME_OUT_NONE;
     if (target == NULL) {
@@ -184,15 +189,23 @@ static int save(const struct frame_out *out, uint32_t frame, const struct ppm *p
     return status == 0 ? 0 : complain("%s: cannot be written: %s", out->path, strerror(-status));
 }
 
+/* Its frames wait on the disk. A full one ends the recording, and what was recorded is kept. */
+static int put_gif(struct frame_out *out, const struct ppm *picture)
+{
+    const int status = gif_out_add(out->gif, picture);
+    out->is_full = status != 0 && gif_out_count(out->gif) > 0;
+    return status == 0 ? 0
+                       : complain("%s: ends after %u frames: the next has no room where it waits: %s", out->path,
+                                  (unsigned)gif_out_count(out->gif), strerror(-status));
+}
+
 int frame_out_put(struct frame_out *out, uint32_t frame, const struct ppm *picture)
 {
     if (out->kind == FRAME_OUT_NONE) {
         return 0;
     }
     if (out->kind == FRAME_OUT_GIF) {
-        return gif_out_add(out->gif, picture) == 0
-                   ? 0
-                   : complain("%s: all frames of a GIF are kept, and these take over 1 GB; draw fewer", out->path);
+        return put_gif(out, picture);
     }
     if (out->scale <= 1) {
         return save(out, frame, picture);
@@ -208,14 +221,14 @@ int frame_out_put(struct frame_out *out, uint32_t frame, const struct ppm *pictu
 
 int frame_out_close(struct frame_out *out, int status)
 {
-    if (out->kind == FRAME_OUT_GIF && out->gif != NULL && status == 0) {
+    if (out->kind == FRAME_OUT_GIF && gif_out_count(out->gif) > 0 && (status == 0 || out->is_full)) {
         const int saved = gif_out_save(out->gif, out->path, out->scale > 0 ? out->scale : 1);
-        status = saved == 0 ? 0 : complain("%s: cannot be written: %s", out->path, strerror(-saved));
+        status = saved == 0 ? status : complain("%s: cannot be written: %s", out->path, strerror(-saved));
     }
     if (out->kind == FRAME_OUT_GIF) {
         gif_out_free(out->gif);
     }
-    if (status != 0 && out->made > 0) {
+    if (out->made > 0) {
         remove_directories(out->path, out->made);
     }
     out->kind = FRAME_OUT_NONE;

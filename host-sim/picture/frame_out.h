@@ -26,7 +26,8 @@ struct frame_out {
     uint32_t scale;            /* every pixel so many times as wide and high; 0 is 1 */
     int digits;                /* of a frame's number in a file's name: names sort like numbers */
     struct gif_out *gif;
-    size_t made; /* length of the part of path that names the first directory that was made; 0: none was */
+    bool is_full; /* the disk has no room for more frames of the GIF */
+    size_t made;  /* length of the part of path that names the first directory that was made; 0: none was */
 };
 
 #define FRAME_OUT_SCALE_MAX 16
@@ -42,8 +43,8 @@ int frame_out_open(struct frame_out *out, const char *target, bool several, uint
 /* Writes one frame, or keeps it for the GIF. A file is written whole or not at all. 0 or COMPLAINED. */
 int frame_out_put(struct frame_out *out, uint32_t frame, const struct ppm *picture);
 
-/* Writes a GIF if `status`, of what was done so far, is 0. If it is not, directories that were made go, unless a frame
- * is in them. Returns status, or COMPLAINED. */
+/* Writes a GIF if `status`, of what was done so far, is 0, or if the disk had no room for more frames. Directories that
+ * were made go, unless a frame is in them. Returns status, or COMPLAINED. */
 int frame_out_close(struct frame_out *out, int status);
 
 /* Every pixel `scale` times as wide and high. 0 or COMPLAINED. The caller frees to->rgb in any case. */

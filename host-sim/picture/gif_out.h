@@ -15,13 +15,16 @@
 
 struct gif_out;
 
-/* Returns NULL without memory. */
-struct gif_out *gif_out_new(void);
+/* Frames wait in a file without a name in the folder of `path`, because the palette is known after the last one: memory
+ * does not grow with them. 0 or a negative status; *gif is to be freed in any case. */
+int gif_out_new(struct gif_out **gif, const char *path);
 
-/* Keeps a copy of the frame until gif_out_save(). All have the size of the first. 0 or PH_ERR_NOMEM: no memory, or all
- * frames together take over GIF_OUT_BYTES. */
-#define GIF_OUT_BYTES ((size_t)1 << 30)
+/* Takes the frame. All have the size of the first. 0, or a negative status (a full disk): the frame is left out, and
+ * those before it stay. */
 int gif_out_add(struct gif_out *gif, const struct ppm *picture);
+
+/* How many frames it has. */
+uint32_t gif_out_count(const struct gif_out *gif);
 
 /* Writes path as file_save() does, every pixel `scale` times as wide and high. 0 or a negative status. */
 int gif_out_save(struct gif_out *gif, const char *path, uint32_t scale);

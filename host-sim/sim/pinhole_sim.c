@@ -433,7 +433,10 @@ static int run(const struct sim_options *o, struct chosen *chosen, struct sim_pl
     sim_window_close(stage.window);
     key_script_free(&stage.keys);
     const int closed = sim_player_close(&player);
-    status = frame_out_close(&stage.out, status != 0 ? status : signal_stop != 0 ? COMPLAINED : closed);
+    const bool is_recording = stage.out.kind == FRAME_OUT_GIF && o->show_window; /* a signal is how one ends it */
+    status = frame_out_close(&stage.out, status != 0                         ? status
+                                         : signal_stop != 0 && !is_recording ? COMPLAINED
+                                                                             : closed);
     return frame_check_close(&stage.check, status);
 }
 

@@ -87,6 +87,21 @@ a_signal_ends_it() {
     [ $? = 143 ]
 }
 
+a_signal_keeps_the_gif() { # that the window records
+    local signal status
+    [ -e /usr/include/gif_lib.h ] || return 0
+    for signal in INT TERM; do
+        rm -f "$dir/record.gif"
+        env --default-signal=INT "$sim" --window "${kit[@]}" --out "$dir/record.gif" >"$dir/stdout" 2>"$dir/stderr" &
+        pid=$!
+        id=$(timeout 600 xdotool search --sync --onlyvisible --name "$title" | head -n 1)
+        [ -n "$id" ] && patiently has_a_picture && kill "-$signal" "$pid"
+        ended
+        status=$?
+        [ "$status" -gt 128 ] && [ "$(identify "$dir/record.gif" | wc -l)" -ge 1 ] && ! ls "$dir/record.gif"?* 2>/dev/null || { echo "exit $status" && return 1; }
+    done
+}
+
 select_takes_the_next_demo() { # the second on the list is a still picture
     local key
     for key in Return space; do
@@ -187,7 +202,7 @@ without_sdl2_it_says_what_to_install() { # nosdl's window comes before the libra
         "$dir/nosdl" --crc --size 8x8
 }
 
-tests=(it_shows_the_glass_scaled_by_two escape_ends_it closing_it_ends_it a_signal_ends_it select_takes_the_next_demo
+tests=(it_shows_the_glass_scaled_by_two escape_ends_it closing_it_ends_it a_signal_ends_it a_signal_keeps_the_gif select_takes_the_next_demo
     the_mouse_turns_and_the_wheel_moves the_mouse_lifts_the_camera without_a_kit_the_glass_follows_the_window a_kit_keeps_its_glass frames_limit_it it_keeps_the_rate_of_the_bus)
 
 check without_sdl2_it_says_what_to_install without_sdl2_it_says_what_to_install

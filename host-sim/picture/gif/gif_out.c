@@ -1,12 +1,16 @@
+#define _XOPEN_SOURCE 700 /* mkstemp, fseeko */
+
 #include "gif_out.h"
 
 #include "file_save.h"
 #include "status.h"
 
 #include <gif_lib.h>
+#include <limits.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define DELAY_CS  3   /* hundredths of a second a frame: the nearest to 30 frames a second that a GIF has */
 #define PALETTE   256 /* the last entry is "as before" */
@@ -18,7 +22,8 @@
 
 struct gif_out {
     uint32_t width, height, count;
-    uint8_t **frames;
+    FILE *waiting;  /* the frames, one behind the other */
+    uint8_t *frame; /* the one that was read last */
     GifColorType palette[PALETTE];
     int colours;
     bool exact;             /* the palette has every colour of all frames */
@@ -28,41 +33,75 @@ struct gif_out {
 
 const char *const gif_out_reason = NULL;
 
-struct gif_out *gif_out_new(void)
+/* A file in the folder of path that goes away with its last descriptor. */
+static FILE *open_waiting(const char *path)
 {
-    return calloc(1, sizeof(struct gif_out));
+    char name[PATH_MAX];
+    if (snprintf(name, sizeof name, "%s.XXXXXX", path) >= (int)sizeof name) {
+        return NULL;
+    }
+    const int descriptor = mkstemp(name);
+    if (descriptor < 0) {
+        return NULL;
+    }
+    unlink(name);
+    return fdopen(descriptor, "w+b");
+}
+
+int gif_out_new(struct gif_out **gif, const char *path)
+{
+    *gif = calloc(1, sizeof **gif);
+    if (*gif == NULL) {
+        return PH_ERR_NOMEM;
+    }
+    (*gif)->waiting = open_waiting(path);
+    return (*gif)->waiting != NULL ? 0 : file_save_status();
 }
 
 void gif_out_free(struct gif_out *gif)
 {
-    for (uint32_t i = 0; gif != NULL && i < gif->count; i++) {
-        free(gif->frames[i]);
+    if (gif != NULL && gif->waiting != NULL) {
+        fclose(gif->waiting);
     }
     if (gif != NULL) {
-        free(gif->frames);
+        free(gif->frame);
     }
     free(gif);
 }
 
+static size_t frame_bytes(const struct gif_out *gif)
+{
+    return (size_t)gif->width * gif->height * 3;
+}
+
 int gif_out_add(struct gif_out *gif, const struct ppm *picture)
 {
-    const size_t bytes = (size_t)picture->width * picture->height * 3;
-    if (bytes > (GIF_OUT_BYTES / (gif->count + 1))) {
-        return PH_ERR_NOMEM;
-    }
-    uint8_t **const frames = realloc(gif->frames, (gif->count + 1) * sizeof *frames);
-    if (frames == NULL) {
-        return PH_ERR_NOMEM;
-    }
-    gif->frames = frames;
-    gif->frames[gif->count] = malloc(bytes);
-    if (gif->frames[gif->count] == NULL) {
-        return PH_ERR_NOMEM;
-    }
-    memcpy(gif->frames[gif->count++], picture->rgb, bytes);
     gif->width = picture->width;
     gif->height = picture->height;
+    if (gif->frame == NULL) {
+        gif->frame = malloc(frame_bytes(gif));
+    }
+    if (gif->frame == NULL) {
+        return PH_ERR_NOMEM;
+    }
+    if (fwrite(picture->rgb, 1, frame_bytes(gif), gif->waiting) != frame_bytes(gif) || fflush(gif->waiting) != 0) {
+        return file_save_status();
+    }
+    gif->count++;
     return 0;
+}
+
+uint32_t gif_out_count(const struct gif_out *gif)
+{
+    return gif->count;
+}
+
+/* Reads a frame; NULL: it cannot be read. */
+static const uint8_t *read_frame(const struct gif_out *gif, uint32_t number)
+{
+    const bool is_read = fseeko(gif->waiting, (off_t)frame_bytes(gif) * number, SEEK_SET) == 0 &&
+                         fread(gif->frame, 1, frame_bytes(gif), gif->waiting) == frame_bytes(gif);
+    return is_read ? gif->frame : NULL;
 }
 
 /* ---- the palette ------------------------------------------------------------------------------------- */
@@ -80,13 +119,13 @@ static int16_t *slot_of(struct gif_out *gif, const uint8_t rgb[3])
     }
 }
 
-/* Takes every colour of all frames into the palette. False if there are too many. */
+/* Takes every colour of all frames into the palette. False if there are too many, or a frame cannot be read. */
 static bool take_all_colours(struct gif_out *gif)
 {
     const size_t pixels = (size_t)gif->width * gif->height;
     for (uint32_t f = 0; f < gif->count; f++) {
-        const uint8_t *rgb = gif->frames[f];
-        for (size_t i = 0; i < pixels; i++, rgb += 3) {
+        const uint8_t *rgb = read_frame(gif, f);
+        for (size_t i = 0; rgb != NULL && i < pixels; i++, rgb += 3) {
             int16_t *const slot = slot_of(gif, rgb);
             if (*slot == 0 && gif->colours == AS_BEFORE) {
                 return false;
@@ -95,6 +134,9 @@ static bool take_all_colours(struct gif_out *gif)
                 gif->palette[gif->colours++] = (GifColorType){rgb[0], rgb[1], rgb[2]};
                 *slot = (int16_t)gif->colours;
             }
+        }
+        if (rgb == NULL) {
+            return false;
         }
     }
     return true;
@@ -136,7 +178,8 @@ static uint32_t take_samples(const struct gif_out *gif, uint32_t *counts, struct
     const size_t pixels = (size_t)gif->width * gif->height;
     uint32_t n = 0;
     for (uint32_t f = 0; f < gif->count; f++) {
-        for (const uint8_t *rgb = gif->frames[f], *end = rgb + 3 * pixels; rgb < end; rgb += 3) {
+        const uint8_t *rgb = read_frame(gif, f);
+        for (size_t i = 0; rgb != NULL && i < pixels; i++, rgb += 3) {
             counts[cell_of(rgb[0], rgb[1], rgb[2])]++;
         }
     }
@@ -228,17 +271,18 @@ static uint8_t entry_of(struct gif_out *gif, const uint8_t rgb[3], uint32_t x, u
     return (uint8_t)(*known - 1);
 }
 
-/* Turns a frame into entries; `before` has those that are shown, and gets the new ones. */
-static void fill_entries(struct gif_out *gif, uint32_t frame, uint8_t *before, uint8_t *entries)
+/* Turns a frame into entries; `before` has those that are shown, and gets the new ones. False: it cannot be read. */
+static bool fill_entries(struct gif_out *gif, uint32_t frame, uint8_t *before, uint8_t *entries)
 {
-    const uint8_t *rgb = gif->frames[frame];
-    for (uint32_t y = 0; y < gif->height; y++) {
+    const uint8_t *rgb = read_frame(gif, frame);
+    for (uint32_t y = 0; rgb != NULL && y < gif->height; y++) {
         for (uint32_t x = 0; x < gif->width; x++, rgb += 3) {
             const uint8_t entry = entry_of(gif, rgb, x, y);
             *entries++ = frame > 0 && entry == *before ? AS_BEFORE : entry;
             *before++ = entry;
         }
     }
+    return rgb != NULL;
 }
 
 /* Writes entries, each pixel scale x scale times. */
@@ -301,8 +345,8 @@ static int write_gif(FILE *to, const void *context)
     GifFileType *const file = EGifOpen(to, write_bytes, NULL);
     bool good = file != NULL && put_head(file, job->gif, job->scale);
     for (uint32_t f = 0; good && f < job->gif->count; f++) {
-        fill_entries(job->gif, f, job->before, job->entries);
-        good = put_frame(file, job->gif, f, job->entries, job->scale, job->line);
+        good = fill_entries(job->gif, f, job->before, job->entries) &&
+               put_frame(file, job->gif, f, job->entries, job->scale, job->line);
     }
     good = (file == NULL || EGifCloseFile(file, NULL) == GIF_OK) && good;
     return good && fflush(to) == 0 ? 0 : file_save_status();
