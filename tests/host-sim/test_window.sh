@@ -163,6 +163,17 @@ a_kit_keeps_its_glass() {
     ends_like "${kit[@]}" --demo cube
 }
 
+# A quarter of the glass: all of it is seen, not its middle. (Nearest pixels differ by .21, a crop by .49.)
+a_small_window_shows_all_of_the_glass() {
+    local far
+    start --demo testcard && xdotool windowsize "$id" 160 120 && patiently has_size 160x120 && sleep 1 && import -window "$id" "$dir/small.ppm"
+    xdotool key --window 0 Escape
+    ended && "$sim" "${kit[@]}" --demo testcard --out "$dir/glass.ppm" && convert "$dir/glass.ppm" -sample 160x120 "$dir/half.ppm" || return 1
+    far=$(compare -metric RMSE "$dir/half.ppm" "$dir/small.ppm" null: 2>&1 | sed 's/.*(\(.*\))/\1/')
+    awk -v far="$far" 'BEGIN { print far; exit !(far < .3) }'
+}
+has_size() { [ "$(import -window "$id" -format %wx%h info: 2>/dev/null)" = "$1" ]; }
+
 frames_limit_it() {
     "$sim" --window "${kit[@]}" --frames 7 --crc >"$dir/seven" && cmp "$dir/seven" <("$sim" "${kit[@]}" --frames 7 --crc)
 }
@@ -203,7 +214,7 @@ without_sdl2_it_says_what_to_install() { # nosdl's window comes before the libra
 }
 
 tests=(it_shows_the_glass_scaled_by_two escape_ends_it closing_it_ends_it a_signal_ends_it a_signal_keeps_the_gif select_takes_the_next_demo
-    the_mouse_turns_and_the_wheel_moves the_mouse_lifts_the_camera without_a_kit_the_glass_follows_the_window a_kit_keeps_its_glass frames_limit_it it_keeps_the_rate_of_the_bus)
+    the_mouse_turns_and_the_wheel_moves the_mouse_lifts_the_camera without_a_kit_the_glass_follows_the_window a_kit_keeps_its_glass a_small_window_shows_all_of_the_glass frames_limit_it it_keeps_the_rate_of_the_bus)
 
 check without_sdl2_it_says_what_to_install without_sdl2_it_says_what_to_install
 missing=

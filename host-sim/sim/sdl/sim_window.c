@@ -9,9 +9,10 @@ struct sim_window {
     SDL_Window *window;
     SDL_Renderer *renderer;
     SDL_Texture *texture;
-    int pitch;    /* bytes of a row */
-    int scale;    /* pixels of the screen for one of the picture's, at the start */
-    uint64_t due; /* when the next picture is shown, in ticks of SDL's performance counter */
+    int pitch;         /* bytes of a row */
+    int width, height; /* of the picture */
+    int scale;         /* pixels of the screen for one of the picture's, at the start */
+    uint64_t due;      /* when the next picture is shown, in ticks of SDL's performance counter */
 };
 
 static const struct {
@@ -38,6 +39,8 @@ static int scale_for(int width, int height)
 static bool set_size(struct sim_window *w, int width, int height)
 {
     w->pitch = 3 * width;
+    w->width = width;
+    w->height = height;
     SDL_DestroyTexture(w->texture);
     w->texture = SDL_CreateTexture(w->renderer, SDL_PIXELFORMAT_RGB24, SDL_TEXTUREACCESS_STREAMING, width, height);
     return w->texture != NULL && SDL_RenderSetLogicalSize(w->renderer, width, height) == 0;
@@ -140,9 +143,22 @@ static void wait_until_due(struct sim_window *w, uint64_t frame_ns)
     }
 }
 
+/* A picture becomes larger by whole numbers. In a window that is smaller it becomes smaller by any, so that all is
+ * seen. */
+static void fit(const struct sim_window *w)
+{
+    int width, height;
+    SDL_GetRendererOutputSize(w->renderer, &width, &height);
+    const SDL_bool is_small = width < w->width || height < w->height;
+    if (SDL_RenderGetIntegerScale(w->renderer) == is_small) {
+        SDL_RenderSetIntegerScale(w->renderer, !is_small);
+    }
+}
+
 void sim_window_show(struct sim_window *window, const uint8_t *rgb, uint64_t frame_ns)
 {
     SDL_UpdateTexture(window->texture, NULL, rgb, window->pitch);
+    fit(window);
     SDL_RenderClear(window->renderer);
     SDL_RenderCopy(window->renderer, window->texture, NULL, NULL);
     wait_until_due(window, frame_ns);
