@@ -38,6 +38,7 @@ enum asset_way {
 struct asset {
     struct model model;            /* what is written */
     struct ph_material *materials; /* one a mesh */
+    uint32_t *first_ramps;         /* for each mesh the first one that has the same ramp */
     void *memory;
     char name[ASSET_NAME_BYTES]; /* of the file: letters, digits, - and _ */
     bool is_bare;
@@ -87,8 +88,7 @@ uint64_t asset_flash_bytes(const struct asset *asset);
 /* Bytes of its textures if no side were longer than 2^log2_max. */
 uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max);
 
-/* Returns the first mesh that has the same ramp, texture or blend. */
-uint32_t asset_first_ramp(const struct model *model, uint32_t mesh);
+/* Returns the first mesh that has the same texture or blend. */
 uint32_t asset_first_texture(const struct model *model, uint32_t mesh);
 uint32_t asset_first_blend(const struct model *model, uint32_t mesh);
 

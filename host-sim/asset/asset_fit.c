@@ -97,6 +97,8 @@ static int make_less(struct asset *asset, const struct model *model, const struc
         status = make(asset, model, goal, triangles, is_bare);
         if (status == 0 && fits(asset, goal)) {
             fitting = triangles;
+        } else if (asset->model.triangle_count > triangles) {
+            break; /* these are as few as it becomes */
         } else {
             too_many = triangles;
         }

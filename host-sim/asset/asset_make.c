@@ -376,6 +376,39 @@ static bool shrink_blends(struct asset *asset, struct demo_arena *arena, const s
     return true;
 }
 
+/* A ramp and its mesh, to be sorted: a model may have 50,000 meshes, each with a colour of its own. */
+struct ramp_of {
+    const uint16_t *ramp;
+    uint32_t mesh;
+};
+
+static int compare_ramps(const void *a, const void *b)
+{
+    const struct ramp_of *const left = a, *const right = b;
+    const int order = memcmp(left->ramp, right->ramp, sizeof *left->ramp * PH_RAMP_SIZE);
+    return order != 0 ? order : left->mesh < right->mesh ? -1 : 1;
+}
+
+static bool find_first_ramps(struct asset *asset)
+{
+    const uint32_t count = asset->model.mesh_count;
+    struct ramp_of *const all = malloc(sizeof *all * ((size_t)count + 1));
+    asset->first_ramps = malloc(sizeof *asset->first_ramps * ((size_t)count + 1));
+    const bool is_done = all != NULL && asset->first_ramps != NULL;
+    for (uint32_t m = 0; is_done && m < count; m++) {
+        all[m] = (struct ramp_of){asset->materials[m].ramp, m};
+    }
+    if (is_done) {
+        qsort(all, count, sizeof *all, compare_ramps);
+    }
+    for (uint32_t i = 0, first = 0; is_done && i < count; i++) {
+        first = memcmp(all[i].ramp, all[first].ramp, sizeof *all[i].ramp * PH_RAMP_SIZE) == 0 ? first : i;
+        asset->first_ramps[all[i].mesh] = all[first].mesh;
+    }
+    free(all);
+    return is_done;
+}
+
 /* ---- all of it ------------------------------------------------------------------------------------------ */
 
 static size_t bytes_for(const struct model *model, uint32_t triangles)
@@ -407,7 +440,8 @@ static int make(struct asset *asset, const struct model *model, const struct ass
     asset->error = rest->error;
     return asset->model.meshes != NULL && asset->materials != NULL &&
                    asset_motion_begin(&arena, model, &asset->model) && make_meshes(asset, &arena, model, rest) &&
-                   shrink_textures(asset, &arena, limits) && shrink_blends(asset, &arena, limits)
+                   shrink_textures(asset, &arena, limits) && shrink_blends(asset, &arena, limits) &&
+                   find_first_ramps(asset)
                ? 0
                : complain("not enough memory for the model, or too many vertices in one mesh; simplify it "
                           "(--max-triangles)");
@@ -442,20 +476,12 @@ int asset_make(struct asset *asset, const struct model *model, const struct asse
 void asset_free(struct asset *asset)
 {
     free(asset->memory);
+    free(asset->first_ramps);
     asset->memory = NULL;
+    asset->first_ramps = NULL;
 }
 
 /* ---- what meshes share ---------------------------------------------------------------------------------- */
-
-uint32_t asset_first_ramp(const struct model *model, uint32_t mesh)
-{
-    const uint16_t *ramp = model->meshes[mesh].materials->ramp;
-    uint32_t first = 0;
-    while (memcmp(model->meshes[first].materials->ramp, ramp, sizeof *ramp * PH_RAMP_SIZE) != 0) {
-        first++;
-    }
-    return first;
-}
 
 uint32_t asset_first_texture(const struct model *model, uint32_t mesh)
 {

@@ -117,14 +117,15 @@ static uint32_t write_moving(struct writer *to, const struct animation *a, uint3
     return append(to, &m, sizeof m);
 }
 
-static struct scene_file_mesh write_mesh(struct writer *to, const struct model *model, uint32_t i,
+static struct scene_file_mesh write_mesh(struct writer *to, const struct asset *asset, uint32_t i,
                                          const struct scene_file_mesh *before)
 {
+    const struct model *const model = &asset->model;
     const struct animation_mesh *moving = model_moving(model, i);
     const struct ph_mesh *mesh = &model->meshes[i];
     const struct ph_material *material = mesh->materials;
     const struct ph_blend *blend = material->blend;
-    const uint32_t n = mesh->vertex_count, ramp = asset_first_ramp(model, i), texture = asset_first_texture(model, i),
+    const uint32_t n = mesh->vertex_count, ramp = asset->first_ramps[i], texture = asset_first_texture(model, i),
                    same = asset_first_blend(model, i);
     return (struct scene_file_mesh){
         .positions = moving != NULL ? append(to, moving->bound.positions, n * sizeof *moving->bound.positions)
@@ -185,7 +186,7 @@ size_t asset_scene(const struct asset *asset, uint8_t *bytes)
     struct writer to = {bytes, sizeof head};
     to.used += head.mesh_count * (uint32_t)sizeof *meshes;
     for (uint32_t i = 0; i < head.mesh_count; i++) {
-        meshes[i] = write_mesh(&to, &asset->model, i, meshes);
+        meshes[i] = write_mesh(&to, asset, i, meshes);
     }
     for (uint32_t i = 0; motion != NULL && i < motion->animation.mesh_count; i++) {
         meshes[motion->animation.meshes[i].mesh].moving = write_moving(&to, &motion->animation, i, skins);

@@ -125,8 +125,9 @@ static void put_blend(FILE *file, const struct ph_blend *from, uint32_t m)
     fputs("};\n", file);
 }
 
-static void put_material(FILE *file, const struct model *model, uint32_t m)
+static void put_material(FILE *file, const struct asset *asset, uint32_t m)
 {
+    const struct model *const model = &asset->model;
     static const char *const shadings[] = {[PH_SHADE_UNLIT] = "PH_SHADE_UNLIT",
                                            [PH_SHADE_FLAT] = "PH_SHADE_FLAT",
                                            [PH_SHADE_GOURAUD] = "PH_SHADE_GOURAUD",
@@ -141,7 +142,7 @@ static void put_material(FILE *file, const struct model *model, uint32_t m)
             ",\n    .colour = W(0x%04X),\n    .ramp = ramp_%u,\n",
             (unsigned)m, shadings[from->shading], from->two_sided ? "true" : "false", from->shininess_log2,
             from->depth_bias, from->ambient, from->diffuse, from->specular, number_of(from->colour),
-            (unsigned)asset_first_ramp(model, m));
+            (unsigned)asset->first_ramps[m]);
     if (from->texture != NULL) {
         fprintf(file, "    .texture = &texture_%u,\n", (unsigned)asset_first_texture(model, m));
     }
@@ -151,8 +152,9 @@ static void put_material(FILE *file, const struct model *model, uint32_t m)
     fputs("};\n", file);
 }
 
-static void put_mesh_data(FILE *file, const struct model *model, uint32_t m)
+static void put_mesh_data(FILE *file, const struct asset *asset, uint32_t m)
 {
+    const struct model *const model = &asset->model;
     const struct ph_mesh *mesh = &model->meshes[m];
     const struct ph_material *material = mesh->materials;
     if (model_moving(model, m) == NULL) {
@@ -166,7 +168,7 @@ static void put_mesh_data(FILE *file, const struct model *model, uint32_t m)
         put_colours(file, "colours", m, mesh->colours, mesh->vertex_count);
     }
     put_triangles(file, mesh, m);
-    if (asset_first_ramp(model, m) == m) {
+    if (asset->first_ramps[m] == m) {
         put_colours(file, "ramp", m, material->ramp, PH_RAMP_SIZE);
     }
     if (material->texture != NULL && asset_first_texture(model, m) == m) {
@@ -175,7 +177,7 @@ static void put_mesh_data(FILE *file, const struct model *model, uint32_t m)
     if (material->blend != NULL && asset_first_blend(model, m) == m) {
         put_blend(file, material->blend, m);
     }
-    put_material(file, model, m);
+    put_material(file, asset, m);
     fprintf(file, "\nstatic const struct ph_part part_%u = {.count = %u};\n", (unsigned)m,
             (unsigned)mesh->triangle_count);
 }
@@ -258,7 +260,7 @@ void asset_write(FILE *file, const struct asset *asset)
             "#define W(colour) (((colour)&0xFF) << 8 | (colour) >> 8)\n#endif\n",
             asset->name, (unsigned)model->triangle_count, (unsigned)model->mesh_count);
     for (uint32_t m = 0; m < model->mesh_count; m++) {
-        put_mesh_data(file, model, m);
+        put_mesh_data(file, asset, m);
     }
     put_meshes(file, model);
     if (model->motion != NULL) {

@@ -497,7 +497,7 @@ static void a_texture_is_shrunk_by_its_means_and_shared_once(void **state)
     }
     assert_int_equal(asset.model.meshes[2].materials->texture->texels[0], texels[7]);
     assert_int_equal(asset_sizes(&asset).textures, (8 + 2 * 4) + (8 + 2));
-    assert_int_equal(asset_first_ramp(&asset.model, 2), 0);
+    assert_int_equal(asset.first_ramps[2], 0);
     asset_free(&asset);
 }
 

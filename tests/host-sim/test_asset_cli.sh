@@ -171,6 +171,17 @@ many_nodes_take_seconds() { # of the processor, whatever else runs
         (ulimit -t 10 && refuses 1 'it cannot be simplified so far' "$dir/fins.gltf" -o "$dir/fins.c" --max-triangles 60000)
 }
 
+# 20,000 meshes with a colour of their own each, of fins, which cannot be simplified. Each was compared with all before it, five
+# times: 23 s of a processor.
+colours_of_their_own_take_seconds() {
+    node -e 'const n = 20000, k = [...Array(n).keys()], p = Float32Array.from([0, 0, 0, 0, 1, 0, 1, 0, 0, -1, 0, 1, -1, 0, -1]), f = Uint16Array.from([0, 1, 2, 0, 1, 3, 0, 1, 4]), b = Buffer.concat([Buffer.from(p.buffer), Buffer.from(f.buffer)]);
+        console.log(JSON.stringify({asset: {version: "2.0"}, scenes: [{nodes: k}], nodes: k.map(i => ({mesh: i, translation: [i % 224 * 3, Math.floor(i / 224) * 3, 0]})),
+            materials: k.map(i => ({pbrMetallicRoughness: {baseColorFactor: [i % 32 / 31, (i >> 5) % 64 / 63, (i >> 11) % 32 / 31, 1]}})), meshes: k.map(i => ({primitives: [{attributes: {POSITION: 0}, indices: 1, material: i}]})),
+            accessors: [{bufferView: 0, componentType: 5126, count: 5, type: "VEC3", min: [-1, 0, -1], max: [1, 1, 1]}, {bufferView: 1, componentType: 5123, count: 9, type: "SCALAR"}],
+            bufferViews: [{buffer: 0, byteLength: 60}, {buffer: 0, byteOffset: 60, byteLength: 18}], buffers: [{byteLength: 78, uri: "data:application/octet-stream;base64," + b.toString("base64")}]}))' >"$dir/colours.gltf" || return 1
+    (ulimit -t 10 && refuses 1 'it cannot be simplified so far' "$dir/colours.gltf" -o "$dir/colours.c" --max-triangles fit --board pico-display)
+}
+
 refuses() { # status, pattern, arguments...: one line on stderr, nothing on stdout
     local status=$1 pattern=$2 got=0
     shift 2
@@ -263,6 +274,7 @@ check "compiled_turntable_draws_the_simulators_bytes_and_those_of_the_model" sph
 if [ -e /usr/include/meshoptimizer.h ]; then
     if command -v node >/dev/null; then
         check "fifty thousand nodes take seconds" many_nodes_take_seconds
+        check "twenty thousand colours take seconds" colours_of_their_own_take_seconds
     else
         skip "fifty thousand nodes take seconds" "no node: apt-get install nodejs"
     fi
