@@ -57,11 +57,6 @@ void complain_note(const char *format, ...)
     va_end(arguments);
 }
 
-const char *complain_program(void)
-{
-    return program_name;
-}
-
 int complain_exit(int status)
 {
     if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
@@ -73,6 +68,7 @@ int complain_exit(int status)
 void complain_begin(const char *program, int argc, char *const argv[])
 {
     program_name = program;
+    progress_begin(program);
     signal(SIGXFSZ, SIG_IGN);
     if (argc == 2 && strcmp(argv[1], "--version") == 0) {
         printf("%s %s\n", program, PH_VERSION);

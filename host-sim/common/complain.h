@@ -30,9 +30,6 @@ int complain_exit(int status);
  * version, and ends the program. */
 void complain_begin(const char *program, int argc, char *const argv[]);
 
-/* The name that complain_begin() set. */
-const char *complain_program(void);
-
 /* Replaces control characters of text by '?'. */
 void complain_clean(char *text);
 

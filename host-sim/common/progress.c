@@ -2,8 +2,6 @@
 
 #include "progress.h"
 
-#include "complain.h"
-
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -15,6 +13,13 @@
 /* The handler can reach nothing else. It writes the line that `current` names, while the other one is made. */
 static char lines[2][96];
 static volatile sig_atomic_t current, lengths[2];
+
+static const char *program_name = "pinhole";
+
+void progress_begin(const char *program)
+{
+    program_name = program;
+}
 
 static void write_line(int number)
 {
@@ -44,7 +49,7 @@ static void set_line(const char *what, uint64_t done, uint64_t total)
     char *const line = lines[next];
     lengths[next] = 0;
     if (done < total) {
-        snprintf(line, sizeof lines[0], "%s: %s: %llu of %llu\n", complain_program(), what, (unsigned long long)done,
+        snprintf(line, sizeof lines[0], "%s: %s: %llu of %llu\n", program_name, what, (unsigned long long)done,
                  (unsigned long long)total);
         lengths[next] = (sig_atomic_t)strlen(line);
     }

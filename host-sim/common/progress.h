@@ -12,6 +12,9 @@
 #define PROGRESS_FIRST_S 2
 #define PROGRESS_EVERY_S 5
 
+/* complain_begin() says by this which program writes; the text must stay. */
+void progress_begin(const char *program);
+
 /* So much of the work is done; done >= total: it is over, and the bar goes away. */
 void progress_show(const char *what, uint64_t done, uint64_t total);
 
