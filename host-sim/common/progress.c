@@ -2,6 +2,7 @@
 
 #include "progress.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -24,10 +25,11 @@ void progress_begin(const char *program)
 static void write_line(int number)
 {
     (void)number;
-    const int line = current;
+    const int line = current, before = errno;
     if (lengths[line] > 0 && write(STDERR_FILENO, lines[line], (size_t)lengths[line]) < 0) {
         lengths[line] = 0; /* nobody reads it */
     }
+    errno = before;
 }
 
 static void start_timer(void)
