@@ -151,7 +151,7 @@ $(B)/firmware/core/render/check.o: DEFS += $(if $(CHECKED),-DPH_CHECKED=1)
 ALL_FLAGS = $(if $(CHECKED),checked) $(if $(KIT),$(CORE_O3_armv6m) - $(CORE_O2_armv6m)) $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE) $(if $(OUT),$(BOARD_HOME))
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
-.PHONY: all demo check test test-exhaustive proof lint bench size depth gallery golden clean help core-objects firmware-objects test-programs long-programs fuzz-programs FORCE
+.PHONY: all demo check test test-exhaustive proof lint bench size depth gallery golden clean help core-objects firmware-objects test-programs long-programs FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -221,7 +221,6 @@ core-objects: $(call objects,$(CORE))
 firmware-objects: core-objects $(call objects,$(APP_SRC) $(wildcard hal/panel/*.c))
 test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)
-fuzz-programs: $(FUZZ)
 
 -include firmware/firmware.mk firmware/package/package.mk
 
@@ -232,7 +231,7 @@ demo: ## renders the demonstration into build/demo (needs nothing but cc and mak
 check: ## the unit tests and the quick scripts, for every edit; installs nothing (under 90 seconds on 2 cores)
 	$(Q)B='$(B)' tests/run.sh check $(MAKEOVERRIDES)
 
-test: ## installs what the tests need, runs all of them (about 25 minutes on 2 idle cores)
+test: ## installs what the tests need, runs all of them (under 10 minutes on 2 idle cores)
 	$(Q)B='$(B)' tests/run.sh test $(MAKEOVERRIDES)
 
 test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing, soaks, sweeps of boards. SHARE=1/10: a tenth

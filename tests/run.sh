@@ -4,9 +4,9 @@
 # one line `N passed, N failed, N skipped` and exits 1 when a test failed.
 #   check  for every edit: the unit tests tests/*/test_*.c and the scripts that take seconds; installs nothing
 #   test   tests/*/test_*.c plain and under sanitizers, tests/*/fuzz_*.c under sanitizers, tests/*/test_*.sh
-#   long   tests/*/exhaustive_*.c, tests/*/long_*.sh, tests/*/fuzz_*.c under sanitizers with the argument `long`;
-#          SHARE=K/N in the environment (K: 1 .. N) runs a share: tests that know SHARE take every N-th of what they
-#          look at, the others run in one of the N. In a share of `test` only builds of many images and packages take turns
+#   long   tests/*/exhaustive_*.c, tests/*/long_*.sh, tests/*/fuzz_*.c under sanitizers with the argument `long`, and the
+#          slow tests/*/test_*.c under sanitizers; SHARE=K/N in the environment (K: 1 .. N) runs a share: tests that know
+#          SHARE take every N-th of what they look at, the others run in one of the N
 # A test speaks TAP (cmocka does; tests/tools/tap.sh helps a script) or just exits: 0 passed, 77 skipped, else failed.
 # TEST_TIMEOUT seconds end a test that hangs. What a test says goes to $B/log/ and is shown when it fails.
 set -u
@@ -23,19 +23,17 @@ if ! [[ $SHARE =~ ^[1-9][0-9]*/[1-9][0-9]*$ ]] || [ "${SHARE%/*}" -gt "${SHARE#*
     echo "$0: SHARE=$SHARE: K/N with K from 1 to N" >&2 && exit 2
 fi
 
-# Too slow for `check`, by the processor time that they took.
-slow_units='test_panel_diff test_ft232h test_runner'
+# Too slow for `check`, and under sanitizers for `test`, by the processor time that they took.
+slow_units='test_panel_diff test_ft232h test_runner test_quality'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
-turns=' test_firmware test_firmware_boot test_firmware_lm3s test_firmware_stm32f4 test_firmware_uart test_firmware_wires test_objects test_make test_package '
 # What takes longest, or has steps that only one processor can take, comes first.
-first='test_targets test_guest_panel test_make test_firmware_rp2040 test_firmware_rp2350_emulated test_firmware_lm3s test_firmware test_guest_flash
-test_guest_hal test_firmware_wires test_kernels test_panel_diff.asan test_firmware_stm32f4 test_firmware_uart
-test_firmware_boot test_guest_panel_usb test_readme test_bench test_quality.asan test_asset_cli test_proof test_guest_usb test_run
-long_firmware_rp2040 long_firmware_rp2350 exhaustive_fx_math exhaustive_fx long_guest_soak long_guest_panel long_mutants long_proof long_debian13 long_guest_flash'
+first='test_targets test_guest_hal test_kernels test_readme test_asset_cli test_guest_usb test_run
+long_boards_rp2040 long_firmware_rp2350 exhaustive_fx_math exhaustive_fx long_guest_soak long_guest_panel_boards long_mutants long_proof
+long_debian13 long_bare long_guest_flash_cuts long_guest_panel long_make long_firmware_rp2040 long_firmware_rp2350_emulated long_firmware long_firmware_lm3s long_guest_flash'
 
 export B=${B:-build} CC=${CC:-cc} CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS=
 export LSAN_OPTIONS=suppressions=$PWD/tests/tools/leaks.suppress:print_suppressions=0
-export limit_s=${TEST_TIMEOUT:-$limit_s} results=$B/log/$mode.results
+export limit_s=${TEST_TIMEOUT:-$limit_s} results=$B/log/$mode.results running=$B/log/running
 sanitize='-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all'
 processors=$(nproc)
 export bare=-Itests/support/bare # where cmocka is missing
@@ -81,6 +79,7 @@ prepare() { # build directory, source: status 77 when it cannot be built here, 1
 
 job() { # name, build directory (- for a script), source, [argument]
     local name=$1 log=$B/log/$1.log status=0 start=$SECONDS word=ok program passed failed skipped cpu_s
+    : >"$running/$name"
     case "$2" in
     -) program=$3 ;;
     *) program=$2/${3%.c} ;;
@@ -98,16 +97,30 @@ job() { # name, build directory (- for a script), source, [argument]
     times >"$log.times"
     cpu_s=$(awk 'NR == 2 { gsub(/[ms]/, " "); printf "%.0f", 60 * $1 + $2 + 60 * $3 + $4 }' "$log.times")
     {
-        printf '%-4s %-32s %d passed, %d failed, %d skipped (%d s, processor %d s)\n' $word "$name" "$passed" "$failed" "$skipped" \
-            $((SECONDS - start)) "$cpu_s"
+        printf '%-4s %3d/%d %-32s %d passed, %d failed, %d skipped (%d s, processor %d s)\n' $word "$(wc -l <"$results")" "$jobs" \
+            "$name" "$passed" "$failed" "$skipped" $((SECONDS - start)) "$cpu_s"
         [ $word != ok ] || grep '# SKIP' "$log" | sed 's/^/     | /'
         [ $word = ok ] || { grep '^not ok' "$log" | head -n 20 && echo ... && tail -n 40 "$log"; } | sed 's/^/     | /'
     } >"$log.short"
     cat "$log.short"
-    rm -f "$log.short" "$log.times"
+    rm -f "$log.short" "$log.times" "$running/$name"
+}
+
+# Says every half a minute how many jobs are done, and for how long which have been running.
+still_running() {
+    local f now line
+    while sleep 30 >/dev/null 2>&1; do # which nobody waits for when the tests have ended
+        line='' now=$(date +%s)
+        for f in "$running"/*; do
+            line+="${line:+, }${f##*/} $((now - $(stat -c %Y "$f" 2>/dev/null || echo "$now"))) s"
+        done
+        echo "     $(wc -l <"$results") of $jobs done; running: $line"
+    done
 }
 export -f job prepare count lacks
 export sanitize
+
+is_slow() { [[ " $slow_units " = *" $(basename "$1" .c) "* ]]; }
 
 # One line a job, the words of job()'s arguments.
 list() {
@@ -115,15 +128,16 @@ list() {
     case $mode in
     check)
         for f in $quick_scripts; do f=$(echo tests/*/"$f".sh) && [ ! -e "$f" ] || echo "$(basename "$f" .sh) - $f"; done
-        for f in tests/*/test_*.c; do [[ " $slow_units " = *" $(basename "$f" .c) "* ]] || echo "$(basename "$f" .c) $B $f"; done
+        for f in tests/*/test_*.c; do is_slow "$f" || echo "$(basename "$f" .c) $B $f"; done
         ;;
     test)
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
         for f in tests/*/test_*.sh; do echo "$(basename "$f" .sh) - $f"; done
         for f in tests/*/test_*.c; do echo "$(basename "$f" .c) $B $f"; done
-        for f in tests/*/test_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
+        for f in tests/*/test_*.c; do is_slow "$f" || echo "$(basename "$f" .c).asan $B/asan $f"; done
         ;;
     long)
+        for f in tests/*/test_*.c; do ! is_slow "$f" || echo "$(basename "$f" .c).asan $B/asan $f"; done
         for f in tests/*/long_*.sh; do echo "$(basename "$f" .sh) - $f"; done
         for f in tests/*/exhaustive_*.c; do echo "$(basename "$f" .c) $B $f"; done
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).long.asan $B/asan $f long"; done
@@ -131,19 +145,12 @@ list() {
     esac
 }
 
-takes_turns() { # name, source
-    case "$mode" in
-    long) ! grep -q 'SHARE\|in_share' "$2" ;;
-    *) [[ $turns == *" $1 "* ]] ;;
-    esac
-}
-
-# Of the jobs those of this share.
+# Of the jobs those of this share. A test that knows SHARE takes its own share of what it looks at.
 shared() {
-    local line i=0 name source
+    local line i=0 source
     while read -r line; do
-        read -r name _ source _ <<<"$line"
-        if takes_turns "$name" "$source"; then
+        read -r _ _ source _ <<<"$line"
+        if ! grep -q 'SHARE\|in_share\|LONG=1' "$source"; then
             [ $((i++ % ${SHARE#*/})) = $((${SHARE%/*} - 1)) ] || continue
         fi
         echo "$line"
@@ -170,13 +177,13 @@ if [ "$mode" != check ]; then
     ! command -v ccache >/dev/null || through_ccache
 fi
 shopt -s nullglob
-mkdir -p "$B/log"
+rm -rf "$running" && mkdir -p "$running"
 : >"$results"
 begin=$SECONDS
 case "$mode" in
 check) goals="$(list | awk '$2 != "-" { sub(/\.c$/, "", $3); print $2 "/" $3 }')" ;;
-test) goals=test-programs asan_goal=test-programs && { [ "$SHARE" = 1/1 ] || echo "share $SHARE of the builds of images and packages"; } ;;
-long) goals=long-programs asan_goal=fuzz-programs && echo "share $SHARE of the long tests" ;;
+test) goals=test-programs asan_goal=test-programs ;;
+long) goals="test-programs long-programs" asan_goal=test-programs && echo "share $SHARE of the long tests" ;;
 esac
 echo "building"
 export built= # build directories in which everything was built; what lacks a library is tried again alone
@@ -187,7 +194,12 @@ if [ "$mode" != check ]; then
 fi
 BUILT="$B $B/asan $(realpath -m "$B")" # no test builds anew beneath another
 export BUILT
-list | shared | longest_first | xargs -P "$((processors + 1))" -I{} bash -c 'job {}'
+todo=$(list | longest_first | if [ "$mode" = long ]; then shared; else cat; fi)
+export jobs
+jobs=$(wc -l <<<"$todo")
+still_running &
+trap 'kill '$! EXIT
+xargs -P "$((processors + 1))" -I{} bash -c 'job {}' <<<"$todo"
 
 echo "$((SECONDS - begin)) s"
 awk '{ p += $1; f += $2; s += $3 } END { printf "%d passed, %d failed, %d skipped\n", p, f, s; exit f > 0 || p + f + s == 0 }' "$results"

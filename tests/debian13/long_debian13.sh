@@ -130,7 +130,7 @@ timed "make check passes" strict make check
 timed "gcc's frames are the golden ones" frames_are_ours build
 timed "clang's frames are the golden ones" frames_are_ours build/clang
 timed "gcc 14 builds the firmware without a warning" images_build
-script "QEMU 10 runs an image" tests/firmware/test_firmware_lm3s.sh
+script "QEMU 10 runs an image" tests/firmware/long_firmware_lm3s.sh
 
 image=build/firmware/pico-display-demos
 timed "picotool reads our UF2, ELF and BIN" picotool_reads_images

@@ -4,6 +4,7 @@
 #   debian13_make         makes it when it is not there; returns 1, with the reason in $debian13_why, when it cannot be had
 #   debian13_copy         copies the tree's files to /pinhole in it; what an earlier copy built there is gone
 #   debian13 COMMAND...   runs COMMAND as root in it, in /pinhole; nothing that COMMAND starts outlives it
+# debian_sources, debian_cannot, debian_copy and debian_run serve any root.
 # By hand: bash -c '. tests/debian13/root.sh; debian13_make && debian13_copy && debian13 make check'
 # Environment: B (build directory).
 B=${B:-build}
@@ -15,18 +16,18 @@ debian13_packages="make gcc clang gcc-arm-none-eabi libnewlib-arm-none-eabi qemu
 [ "$(uname -m)" != x86_64 ] ||
     debian13_packages+=' linux-image-amd64 linux-headers-amd64 qemu-system-x86 kmod cpio xz-utils gpiod'
 
-# This machine's Debian in its package sources, and Debian 13 in its place.
-debian13_sources() { # directory for the files
+# This machine's Debian in its package sources, and another suite in its place.
+debian_sources() { # suite, directory for the files
     local codename file
     codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
     for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources}; do
         ! grep -v '^#' "$file" 2>/dev/null | grep -w "$codename" >/dev/null ||
-            sed "s/\<$codename\>/trixie/g" "$file" >"$1/$(basename "$file")"
+            sed "s/\<$codename\>/$1/g" "$file" >"$2/$(basename "$file")"
     done
 }
 
-debian13_cannot() {
-    [ "$(id -u)" = 0 ] || { echo "only root can make a Debian 13 root" && return; }
+debian_cannot() {
+    [ "$(id -u)" = 0 ] || { echo "only root can make a Debian root" && return; }
     command -v mmdebstrap >/dev/null || { echo "no mmdebstrap" && return; }
     command -v unshare >/dev/null || { echo "no unshare (util-linux)" && return; }
     (. /etc/os-release && [ "$ID" = debian ]) || { echo "this machine is no Debian" && return; }
@@ -35,7 +36,7 @@ debian13_cannot() {
 debian13_bootstrap() {
     local new status=0
     new=$(mktemp -d "$B/debian13/new.XXXXXX") || return 1
-    mkdir "$new/sources" && debian13_sources "$new/sources"
+    mkdir "$new/sources" && debian_sources trixie "$new/sources"
     # shellcheck disable=SC2086 # the packages' names are words
     timeout 900 mmdebstrap --variant=apt --include="$(echo $debian13_packages | tr ' ' ,)" \
         --aptopt='APT::Install-Recommends "false"' --aptopt='Acquire::http::Timeout "20"' --aptopt='Acquire::Retries "2"' \
@@ -47,7 +48,7 @@ debian13_bootstrap() {
 }
 
 debian13_make() {
-    debian13_why=$(debian13_cannot)
+    debian13_why=$(debian_cannot)
     [ -z "$debian13_why" ] || return 1
     mkdir -p "$B/debian13"
     exec 9>"$B/debian13/lock" && flock 9
@@ -58,15 +59,18 @@ debian13_make() {
 }
 
 # The files that git knows, or all but the build directory.
-debian13_copy() {
-    rm -rf "$debian13_root/pinhole" && mkdir "$debian13_root/pinhole" || return 1
+debian_copy() { # root
+    rm -rf "$1/pinhole" && mkdir "$1/pinhole" || return 1
     { git ls-files -coz --exclude-standard 2>/dev/null | grep -z . || find . -path "./$B" -prune -o -path ./.git -prune -o -type f -print0; } |
-        tar -c --null --files-from=- | tar -x --no-same-owner -C "$debian13_root/pinhole"
+        tar -c --null --files-from=- | tar -x --no-same-owner -C "$1/pinhole"
 }
 
 # shellcheck disable=SC2016 # $0 and $@ are the inner shell's
-debian13() {
-    unshare --mount --pid --fork --kill-child --mount-proc="$debian13_root/proc" bash -c '
+debian_run() { # root, command...
+    unshare --mount --pid --fork --kill-child --mount-proc="$1/proc" bash -c '
         mount --rbind /dev "$0/dev" && mount -t sysfs -o ro sysfs "$0/sys" || exit 1
-        env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 chroot "$0" env -C /pinhole "$@"' "$debian13_root" "$@" </dev/null
+        env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 chroot "$0" env -C /pinhole "$@"' "$@" </dev/null
 }
+
+debian13_copy() { debian_copy "$debian13_root"; }
+debian13() { debian_run "$debian13_root" "$@"; }

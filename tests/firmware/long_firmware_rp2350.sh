@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Like tests/firmware/test_firmware_rp2350_emulated.sh for every RP2350 board, both instruction sets, with one core and with
+# Like tests/firmware/long_firmware_rp2350_emulated.sh for every RP2350 board, both instruction sets, with one core and with
 # two: every demo for some frames, with buttons pressed. The rates of one board are those of tests/bench/README.md.
 # shellcheck disable=SC2317 # functions are called by check
 set -u

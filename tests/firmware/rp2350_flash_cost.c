@@ -1,5 +1,5 @@
 /*
- * A program for test_rp2350_flash.sh: how long an emulated RP2350's reads of flash take, in us of its timer, how many
+ * A program for long_rp2350_flash.sh: how long an emulated RP2350's reads of flash take, in us of its timer, how many
  * of them its cache does not have, and what rp2040_flash_measure() tells. It runs from RAM.
  */
 #include "port.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# pinhole-flash in the virtual board, for tests/guest/test_guest_flash.sh and tests/guest/long_guest_flash.sh: sourced on the host and in
+# pinhole-flash in the virtual board, for tests/guest/long_guest_flash.sh and tests/guest/long_guest_flash_cuts.sh: sourced on the host and in
 # the guest. What a run leaves in $GUEST: NAME.status, NAME.out, NAME.err; the flash of a board is a file. Environment: B.
 # shellcheck source-path=SCRIPTDIR
 # shellcheck disable=SC2015,SC2154 # `A && B || { echo; return 1; }` says why it fails; usb_device, guest_out, images, cut: others'
@@ -39,6 +39,7 @@ plug() { usb_plug bootsel "$@"; }
 pull() {
     kill "$usb_device" 2>/dev/null
     wait "$usb_device" 2>/dev/null
+    usb_gone
 }
 
 # Plugs a board in with this flash and these options, runs, and pulls it.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# pinhole-panel in the virtual board, for tests/guest/test_guest_panel.sh and tests/long_guest_*.sh: sourced on the host, run in the
+# pinhole-panel in the virtual board, for tests/guest/long_guest_panel.sh and tests/long_guest_*.sh: sourced on the host, run in the
 # guest as `tests/guest/panel_in_guest.sh FUNCTION ARGUMENT...`. What a run leaves in $GUEST: NAME.status, NAME.out, NAME.err,
 # NAME.events; of test_hal NAME.hal. Environment: B.
 # shellcheck source-path=SCRIPTDIR

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The backends that need hardware keep hal.h's contract in the virtual board: real kernel, real libgpiod and libusb.
-# What they put on the wires is checked in test_guest_panel.sh, whose guests try hal/linux with bufsiz 4096 and 65536:
+# What they put on the wires is checked in long_guest_panel.sh, whose guests try hal/linux with bufsiz 4096 and 65536:
 # a guest's start takes longer than the test.
 # shellcheck disable=SC2317,SC2016 # functions are called by check; $B and $@ are the guest's shell's
 set -u

@@ -13,8 +13,9 @@
 #   board_events                        the events so far (for pinhole-wire), to stdout
 #   board_follow FILE / board_follow_end    writes events to FILE while they come (for runs longer than the log)
 #   usb_try VID:PID SERIAL ACTION...    talks to a USB device (tests/guest/try_usb.c)
-#   usb_plug ft232h|bootsel OPTION...   plugs a USB device in and waits for it; sets usb_device to its daemon's pid
+#   usb_plug ft232h|bootsel OPTION...   plugs a USB device in and waits for its node; sets usb_device to its daemon's pid
 #                                       (tests/guest/usb_main.c has the options); `kill $usb_device` unplugs it
+#   usb_gone                            waits until the kernel has let go of the last device that was plugged in
 # Typically:
 #   tests/guest/guest.sh --bufsiz 4096 --out DIR -- bash -c '. tests/guest/virtual_board.sh; board_plug; PROGRAM; board_events >$GUEST/events'
 #   pinhole-wire --board rpi-waveshare-1in3 --order DIR/events
@@ -98,20 +99,32 @@ board_follow_end() {
     wait "$follower"
 }
 
+usb_nodes() { find /dev/bus/usb -type c | sort; }
+
 usb_plug() {
-    local ready i
+    local ready i before
     ready=$(mktemp -u)
     modprobe vhci-hcd || return 1
+    before=$(usb_nodes)
     "${B:-build}/guest/usb" "$@" --ready "$ready" &
     # shellcheck disable=SC2034 # the caller's
     usb_device=$!
     for ((i = 0; i < 12000; i++)); do
-        # The kernel makes the device's node right after.
-        [ -e "$ready" ] && rm "$ready" && sleep 0.1 && return
+        # A slow kernel makes the node some time after it has configured the device.
+        usb_node=$(usb_nodes | grep -vxF "$before" | head -n 1)
+        [ -e "$ready" ] && [ -n "$usb_node" ] && rm "$ready" && sleep 0.1 && return
         sleep 0.05
     done
     echo "usb_plug: the kernel does not take the device" >&2
     return 1
+}
+
+usb_gone() {
+    local i
+    for ((i = 0; i < 1200; i++)); do
+        [ -e "$usb_node" ] || return 0
+        sleep 0.05
+    done
 }
 
 usb_try() { "${B:-build}/guest/try_usb" "$@"; }

@@ -7,7 +7,7 @@
  *   fuzz_uf2 [quick | long | FILES [SEED]]
  *
  * With libFuzzer, which has the same checks: clang -fsanitize=fuzzer,address,undefined -DLIBFUZZER
- * (tests/guest/long_guest_flash.sh).
+ * (tests/guest/long_guest_flash_cuts.sh).
  */
 #include "flash_file.h"
 #include "uf2_make.h"

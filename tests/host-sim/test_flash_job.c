@@ -1,6 +1,6 @@
 /*
  * pinhole-flash against a board that is a program: what it does to the flash, in which order, and that whatever fails
- * wherever ends in a line, and is mended by running it again. (On the real libusb and kernel: test_guest_flash.sh.)
+ * wherever ends in a line, and is mended by running it again. (On the real libusb and kernel: long_guest_flash.sh.)
  */
 #include <setjmp.h>
 #include <stdarg.h>

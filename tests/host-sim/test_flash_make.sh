@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # `make flash`: what it calls for which board, and the one line when the tool is not there or fails. The tools are scripts
-# here that say how they were called. (pinhole-flash itself: test_guest_flash.sh.)
+# here that say how they were called. (pinhole-flash itself: long_guest_flash.sh.)
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1

@@ -51,8 +51,8 @@ int64_t any_product(int32_t a, int32_t n)
     return i64_between(-POWER(31) * SIDE, POWER(31) * SIDE);
 }
 
-/* The upper two bits of d are constants in each call, which spares the solver a product. test_planes.c finds the results
- * exact, so that they are within WIDE_PRODUCT. */
+/* The upper two bits of d are constants in each call, which spares the solver a product. test_planes.c finds the
+ * results exact, so that they are within WIDE_PRODUCT. */
 void proof_times_wide(void)
 {
     const int64_t least[] = {-POWER(32), -POWER(31), 0, POWER(31)};

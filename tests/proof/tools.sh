@@ -10,7 +10,7 @@ proof_root=$(realpath -m "$B/proof/root")
 
 proof_unpack() {
     local new
-    new=$(mktemp -d "$B/proof/new.XXXXXX") && mkdir "$new/sources" && debian13_sources "$new/sources" &&
+    new=$(mktemp -d "$B/proof/new.XXXXXX") && mkdir "$new/sources" && debian_sources trixie "$new/sources" &&
         timeout 300 mmdebstrap --variant=extract --include=cbmc --aptopt='APT::Install-Recommends "false"' \
             --aptopt='Acquire::http::Timeout "20"' --aptopt='Acquire::Retries "2"' \
             trixie "$new/root" "$new"/sources/* >"$B/proof/mmdebstrap.log" 2>&1 </dev/null &&
@@ -24,7 +24,7 @@ proof_tools() {
     proof_why=
     mkdir -p "$B/proof"
     exec 8>"$B/proof/lock" && flock 8
-    [ -x "$proof_root/usr/bin/cbmc" ] || proof_why=$(debian13_cannot)
+    [ -x "$proof_root/usr/bin/cbmc" ] || proof_why=$(debian_cannot)
     [ -x "$proof_root/usr/bin/cbmc" ] || [ -n "$proof_why" ] || proof_unpack
     exec 8>&-
     [ -z "$proof_why" ]

@@ -129,7 +129,7 @@ numbers_are_those_of_the_checks() { # budgets and counts, as the papers write th
         grep -q "$(LC_ALL=C sed ':a; s/\([0-9]\)\([0-9]\{3\}\)\($\|,\)/\1,\2\3/; ta' <<<"$number") $name" "$paper" || { echo "$paper: $number $name" && missing=1; }
     done <<EOF
 README.md $(sed -n 's/^BUDGET_CORE_BYTES ?= //p' Makefile) bytes of code
-README.md $(sed -n 's/^stack_max=\([0-9]*\).*/\1/p' tests/firmware/test_objects.sh) bytes of stack
+README.md $(sed -n 's/^stack_max=\([0-9]*\).*/\1/p' tests/firmware/long_objects.sh) bytes of stack
 README.md $(wc -l <tests/golden/frames.txt) frames
 README.md $((240 * 16 * 4)) bytes for colour
 firmware/README.md $("$B/pinhole-sim" --list | grep -c "^demo ") demos are whole on every kit

@@ -53,16 +53,12 @@ shares_of_the_long_tests() {
     cat "$dir"/ran-{a,b,c,all} | tr '\n' ' ' | grep -x 'ran ran ran 1/3 2/3 3/3 '
 }
 
-# A build of a package runs in one of two shares of `test`, another test in both.
-shares_of_the_tests() {
-    local k name
-    rm -rf "$dir"/tests/core/* "$dir/build" "$dir"/ran-*
-    for name in test_package test_other; do printf '#!/bin/sh\necho ran >>%s\n' "$dir/ran-$name" >"$dir/tests/core/$name.sh"; done
-    chmod +x "$dir"/tests/core/*.sh
-    for k in 1 2; do
-        (cd "$dir" && env -u MAKEFLAGS B=build SHARE="$k/2" tests/run.sh test 2>&1) | tail -n 1 | grep -qx "$((3 - k)) passed, 0 failed, 0 skipped" || return 1
-    done
-    cat "$dir"/ran-test_{other,package} | tr '\n' ' ' | grep -x 'ran ran ran '
+# What runs long is named while it runs.
+says_what_runs() {
+    rm -rf "$dir"/tests/core/* "$dir/build"
+    printf '#!/bin/sh\nsleep 33\n' >"$dir/tests/core/long_sleep.sh" && chmod +x "$dir/tests/core/long_sleep.sh"
+    (cd "$dir" && env -u MAKEFLAGS B=build tests/run.sh long 2>&1) | tee "$dir/said"
+    grep -q '^     0 of 1 done; running: long_sleep 3[0-9] s$' "$dir/said" && grep -q '^ok     1/1 long_sleep ' "$dir/said"
 }
 
 wrong_shares() {
@@ -86,7 +82,7 @@ else
 fi
 mode=check check "for_every_edit_the_sanitizers_do_not_run" unit_in_check
 mode=long check "a_share_of_the_long_tests_is_a_share" shares_of_the_long_tests
-check "in_a_share_of_the_tests_builds_of_packages_take_turns" shares_of_the_tests
+mode=long check "what_runs_and_for_how_long_is_told" says_what_runs
 check "a_share_that_cannot_be_is_refused" wrong_shares
 check "a_missing_library_skips_the_program" counts test_dummy.c "0 passed, 0 failed, 2 skipped" <<<'#include <no_such_library.h>'
 check "a_script_may_just_succeed" counts test_dummy.sh "1 passed, 0 failed, 0 skipped" <<<'#!/bin/sh'

@@ -137,7 +137,7 @@ columns_say_predicted_or_measured() {
 # Distances from near to z, evenly spread over the logarithm, z among them.
 up_to() { awk -v n="$1" -v z="$2" 'BEGIN { for (i = 1; i <= 60; i++) { w = n * exp(log(z / n) * i / 61); if (w > n + 1e-4) printf "%.5f,", w } print z }'; }
 
-# What advise promises, resolve measures (test_depth_advise.sh: planes that lean): at every distance up to Z with that near plane and format.
+# What advise promises, resolve measures (long_depth_advise.sh: planes that lean): at every distance up to Z with that near plane and format.
 promise() { # separate, z, far
     csv advise --separate "$1" --at "$2" --far "$3" --tilt 0 | tail -n +2 >"$dir/advice"
     [ "$(wc -l <"$dir/advice")" -ge 5 ] || return 1

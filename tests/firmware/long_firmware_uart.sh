@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The images of the two kits in QEMU obey their UART: hold, step, go on, buttons, boot loader. test_firmware_boot.sh tests
+# The images of the two kits in QEMU obey their UART: hold, step, go on, buttons, boot loader. long_firmware_boot.sh tests
 # the RP2040.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
@@ -54,7 +54,7 @@ obeys() { # board; a line a frame while it holds, else a line a second
     send H && holds && send sH && hears '^demo testcard$' && hears '^frame ' && holds || return 1
     send uH && hears '^frame ' && holds && send B || return 1
     case $1 in
-    feather*) hears '^fault .*address 1FFF0000$' ;; # where QEMU has no boot loader: see test_firmware_wires.sh
+    feather*) hears '^fault .*address 1FFF0000$' ;; # where QEMU has no boot loader: see long_firmware_wires.sh
     *) holds && send H && hears '^frame ' ;;        # this chip has none: it goes on
     esac
 }

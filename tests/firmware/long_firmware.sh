@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# `make firmware` builds images, says what they take, and refuses wrong input. The images run in test_firmware_*.sh.
+# `make firmware` builds images, says what they take, and refuses wrong input. The images run in the other scripts here.
 # shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { cat; return 1; }` says why it fails
 set -u
 cd "$(dirname "$0")/../.." || exit 1

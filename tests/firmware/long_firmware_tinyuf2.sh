@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The UF2 file of the Feather STM32F405 is one that TinyUF2 starts: it runs in QEMU behind a program that does what TinyUF2
 # does (ports/stm32f4/boards.c: board_app_valid, board_app_jump). ELF and BIN, for dfu-util, begin at the beginning of flash.
-# (test_firmware.sh looks at the UF2 file's blocks.)
+# (long_firmware.sh looks at the UF2 file's blocks.)
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1

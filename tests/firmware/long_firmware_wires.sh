@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The wires of the QEMU kits are right when an image starts, ends, fails or enters the boot loader. QEMU's trace of stores
-# becomes events (host-sim/wire/wire_events.h), which pinhole-wire gives to the controller's model. test_firmware_rp2040.sh
+# becomes events (host-sim/wire/wire_events.h), which pinhole-wire gives to the controller's model. long_firmware_rp2040.sh
 # does so for the RP2040.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
