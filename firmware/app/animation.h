@@ -38,7 +38,8 @@ struct animation_stage {
     int16_t (*morphed)[3], (*morphed_normals)[3];
     void *view; /* the state of the demo that draws it */
     bool is_still;
-    uint8_t quarter, wraps; /* of the count of frames: in which quarter of 2^32 it stands; how often it began anew */
+    uint8_t quarter; /* of 2^32, in which the last frame's number was */
+    uint8_t wraps;   /* how often the number of frames has begun again at 0 */
 };
 
 /* What the stage needs for meshes that move; starts with zeros. */

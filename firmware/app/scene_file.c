@@ -4,9 +4,9 @@
 
 #include <string.h>
 
-#define SIDE_LOG2_MAX 10
-#define SCALE_MAX     (1 << 30) /* Q20: a focal length of 2^18 pixels in a picture of 512 */
-#define PLACE_MAX     (1 << 30) /* Q16.16: the buttons move a camera and its planes by as much again at most */
+#define SIDE_LOG2_MAX  10
+#define SCALE_MAX      (1 << 30) /* Q20: a focal length of 2^18 pixels in a picture of 512 */
+#define COORDINATE_MAX (1 << 30) /* Q16.16: the buttons move a camera and its planes by as much again at most */
 
 /* What a mesh takes of the arena. */
 struct drawn {
@@ -112,18 +112,19 @@ static bool is_rotation(const int32_t r[3][3])
     return right && product(cross, r[2]) > 0;
 }
 
-static bool is_near(int32_t place)
+static bool is_in_range(int32_t place)
 {
-    return place > -PLACE_MAX && place < PLACE_MAX;
+    return place > -COORDINATE_MAX && place < COORDINATE_MAX;
 }
 
 /* ph_frame_begin() would take it, whatever the panel, and demo_orbit() can move it. */
 static bool is_camera_right(const struct scene_file_head *head)
 {
     return (head->lens_kind == PH_ORTHOGRAPHIC || (head->lens_kind == PH_PERSPECTIVE && head->near_z > 0)) &&
-           head->near_z < head->far_z && is_near(head->near_z) && is_near(head->far_z) && is_near(head->t[0]) &&
-           is_near(head->t[1]) && is_near(head->t[2]) && head->scale_x_q20 > 0 && head->scale_x_q20 <= SCALE_MAX &&
-           head->scale_y_q20 > 0 && head->scale_y_q20 <= SCALE_MAX && is_rotation(head->r);
+           head->near_z < head->far_z && is_in_range(head->near_z) && is_in_range(head->far_z) &&
+           is_in_range(head->t[0]) && is_in_range(head->t[1]) && is_in_range(head->t[2]) && head->scale_x_q20 > 0 &&
+           head->scale_x_q20 <= SCALE_MAX && head->scale_y_q20 > 0 && head->scale_y_q20 <= SCALE_MAX &&
+           is_rotation(head->r);
 }
 
 static bool is_name_right(const char name[SCENE_FILE_NAME])

@@ -57,7 +57,7 @@ scene=$((0x${scene:-0}))
     }
     END {
         line("flash", code, flash, "")
-        line("RAM", memory, ram, (scene > 0 ? ", because scenes are given " scene : "") "; stack included; " int(100 * memory / chip) " % of the chip")
+        line("RAM", memory, ram, (scene > 0 ? ": scenes have " scene ", the stack " stack : "") "; the chip has " chip)
         line("stack", worst, stack, " on the deepest path")
         if (ram > chip) { print elf ": the board asks for " ram " bytes of RAM, but the chip has " chip > "/dev/stderr"; exit 1 }
         if (over != "") { print elf ": over the budget of" over > "/dev/stderr"; exit 1 }

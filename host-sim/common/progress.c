@@ -11,7 +11,8 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-/* The handler can reach nothing else. It writes the line that `current` names, while the other one is made. */
+/* A signal handler gets no argument, so its state is here. It writes lines[current]; set_line fills the other one
+ * first. */
 static char lines[2][96];
 static volatile sig_atomic_t current, lengths[2];
 
@@ -60,7 +61,7 @@ static void set_line(const char *what, uint64_t done, uint64_t total)
 }
 
 static bool has_bar;
-static int shown; /* of the bar */
+static int bar_filled; /* characters */
 
 void progress_clear(void)
 {
@@ -83,10 +84,10 @@ void progress_show(const char *what, uint64_t done, uint64_t total)
         set_line(what, done, total);
     } else if (done >= total) {
         progress_clear();
-    } else if (!has_bar || filled != shown) {
+    } else if (!has_bar || filled != bar_filled) {
         fprintf(stderr, "\r%-20s [%-40.*s] %3d %%", what, filled, bar, filled * 5 / 2);
         fflush(stderr);
         has_bar = true;
-        shown = filled;
+        bar_filled = filled;
     }
 }

@@ -71,13 +71,17 @@ static int compare_log(const struct depth_lab *lab, char *log)
 {
     const size_t mark = strlen(LAB_REQUEST_MARK);
     unsigned requests = 0, lines;
+    uint64_t line_number = 0, line_count = 0;
     drop_returns(log);
+    for (const char *at = log; *at != '\0'; at++) {
+        line_count += *at == '\n';
+    }
     fputs("near,far,format,lines,verdict\n", lab->rows);
-    for (const char *line = log; *line != '\0'; line += strcspn(line, "\n"), line += *line == '\n') {
+    for (const char *line = log; *line != '\0'; line += strcspn(line, "\n"), line += *line == '\n', line_number++) {
         if (strncmp(line, LAB_REQUEST_MARK, mark) != 0) {
             continue;
         }
-        progress_show("compare", (uint64_t)(line - log), (uint64_t)(line - log) + strlen(line));
+        progress_show("compare: line", line_number, line_count);
         char *const here = answer_of(line + mark), near_text[32], far_text[32], format[32];
         const int status = here == NULL ? COMPLAINED : compare_lines(line, here, &lines);
         free(here);

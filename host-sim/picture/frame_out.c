@@ -195,8 +195,8 @@ static int put_gif(struct frame_out *out, const struct ppm *picture)
     const int status = gif_out_add(out->gif, picture);
     out->is_full = status != 0 && gif_out_count(out->gif) > 0;
     return status == 0 ? 0
-                       : complain("%s: ends after %u frames: the next has no room where it waits: %s", out->path,
-                                  (unsigned)gif_out_count(out->gif), strerror(-status));
+                       : complain("%s: ends after %u frames, which are kept; the next has no room in this folder: %s",
+                                  out->path, (unsigned)gif_out_count(out->gif), strerror(-status));
 }
 
 int frame_out_put(struct frame_out *out, uint32_t frame, const struct ppm *picture)

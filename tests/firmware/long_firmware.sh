@@ -210,7 +210,7 @@ sizes_are_those_of_the_image() { # board
 # Full by design does not read as nearly broken: what is free is said in bytes, and whom the scenes leave it to.
 what_is_free_is_said_in_bytes() {
     grep -Eq '^flash .* bytes, [0-9]+ free$' "$dir/said" && grep -Eq '^stack .* bytes, [0-9]+ free on the deepest path$' "$dir/said" &&
-        grep -Eq '^RAM .* bytes, [0-9]+ free, because scenes are given [0-9]+; ' "$dir/said" && ! grep -q '9[0-9] %' "$dir/said"
+        grep -Eq '^RAM .* bytes, [0-9]+ free: scenes have [0-9]+, the stack [0-9]+; the chip has [0-9]+' "$dir/said" && ! grep -q '9[0-9] %' "$dir/said"
 }
 
 # board.c's budget and what the port takes beside it, of the chip's RAM.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The systemd unit in a guest, under a systemd of its own: run by test_guest_service.sh. Leaves in $GUEST what systemd says of the
+# The systemd unit in a guest, under a systemd of its own: run by long_guest_service.sh. Leaves in $GUEST what systemd says of the
 # unit (NAME.show), what the wires carried (NAME.events) and systemd's log. Environment: B, UNIT (the unit's file).
 # shellcheck source-path=SCRIPTDIR
 # shellcheck disable=SC2119,SC2153 # board_plug takes no argument here; UNIT is the environment's

@@ -18,7 +18,7 @@ uint32_t fuzz_number(void);
 /* Changes a few bytes, numbers or pieces of n bytes, of which there may become `room`. Returns how many they are. */
 size_t fuzz_change(uint8_t *bytes, size_t n, size_t room);
 
-/* The same for text: numbers become other numbers, words other words of the text. */
+/* Changes a text: numbers become other numbers, words other words of the text. */
 size_t fuzz_change_text(char *text, size_t n, size_t room);
 
 /* The path of a file with these bytes, which the next call writes over. */

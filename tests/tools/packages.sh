@@ -14,11 +14,14 @@ test | lint) ;;
 *) echo "usage: $0 test|lint" >&2 && exit 2 ;;
 esac
 
+gcc=$(gcc -dumpversion 2>/dev/null || echo 12) # gcc-N-multilib is that of this gcc
+
 # Prints "package|what is skipped" for each package that is missing.
 missing() {
     sed -n "s/^$1 *| *//p" packages | sed 's/\\|/\x01/g' | while IFS='|' read -r package probe skipped; do
         probe=${probe//$'\x01'/|}
-        bash -c "$probe" >/dev/null 2>&1 </dev/null || echo "${package// /}|${skipped# }"
+        package=${package// /} package=${package/gcc-N-/gcc-$gcc-}
+        bash -c "$probe" >/dev/null 2>&1 </dev/null || echo "$package|${skipped# }"
     done
 }
 
@@ -39,6 +42,14 @@ apt() {
 interrupted=
 trap 'interrupted=1; echo "packages: interrupted; apt finishes what it has begun, so that the system stays whole" >&2' INT TERM HUP
 
+# Names that this machine's sources do not have would keep apt from saying how much the others take.
+unknown() {
+    local package
+    for package; do
+        apt-cache show --no-all-versions "$package" >/dev/null 2>&1 || echo "$package"
+    done
+}
+
 # How much apt would fetch and fill: its own two lines.
 sizes() { LC_ALL=C apt-get --assume-no --no-remove install --no-install-recommends "$@" 2>/dev/null </dev/null | grep -E '^(Need to get|After this)'; }
 
@@ -54,6 +65,11 @@ elif [ "${PACKAGES_INSTALL-1}" = 0 ] || { [ "$(id -u)" != 0 ] && ! sudo -n true 
     echo "packages: to install them: sudo apt-get install --no-install-recommends ${packages[*]}"
 else
     apt update
+    mapfile -t strangers < <(unknown "${packages[@]}")
+    if [ ${#strangers[@]} -gt 0 ]; then
+        echo "packages: this machine's sources have no ${strangers[*]}"
+        mapfile -t packages < <(printf '%s\n' "${packages[@]}" | grep -vxF "$(printf '%s\n' "${strangers[@]}")")
+    fi
     sizes "${packages[@]}" | sed 's/^/packages: /'
     # One package that cannot be had must not keep the others out.
     if [ -z "$interrupted" ] && ! install "${packages[@]}"; then

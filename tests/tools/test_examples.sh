@@ -39,7 +39,7 @@ static int others(void)
 
 int main(void)
 {
-    static uint8_t pixels[WIDTH * BAND * 3];
+    static uint16_t pixels[WIDTH * BAND * 3 / 2];
     static struct ph_renderer r;
     int status = triangle_init(&r, PH_PIXELS_RGB888);
     r.config.pixels = pixels;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tests/tools/packages.sh leaves the system whole: it says what it wants first, never ends apt, never removes a package.
 # An apt-get of our own plays apt, for nothing here may change this machine.
-# shellcheck disable=SC2317,SC2015 # functions are called by check
+# shellcheck disable=SC2317,SC2015,SC2016 # functions are called by check; the made script expands $name
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
@@ -25,7 +25,9 @@ echo whole >>"$dir/calls"
 for word; do [ "\$word" != two ] || exit 100; done
 for word; do case \$word in one | three) touch "$dir/has-\$word" ;; esac; done
 END
-chmod +x "$dir/bin/apt-get"
+printf '#!/bin/sh\nfor name; do :; done; ! grep -qx "$name" "%s/strange"\n' "$dir" >"$dir/bin/apt-cache"
+: >"$dir/strange"
+chmod +x "$dir/bin/apt-get" "$dir/bin/apt-cache"
 
 fresh() { rm -f "$dir"/has-* "$dir/calls"; }
 packages() { PATH="$dir/bin:$PATH" "$dir/packages.sh" test >"$dir/said" 2>&1; }
@@ -38,6 +40,15 @@ says_what_it_wants_first() {
 one_does_not_keep_the_others_out() {
     fresh && packages && cat "$dir/said" "$dir/calls" && [ -e "$dir/has-one" ] && [ -e "$dir/has-three" ] &&
         [ "$(tail -n 1 "$dir/said")" = 'packages: two is missing, so this is skipped: what two is for' ]
+}
+
+a_strange_one_does_not_hide_the_sizes() {
+    local status=0
+    fresh && echo three >"$dir/strange"
+    packages && cat "$dir/said" "$dir/calls" && grep -qx "packages: this machine's sources have no three" "$dir/said" &&
+        grep -q '^packages: Need to get 7 MB' "$dir/said" && ! grep -w three "$dir/calls" || status=1
+    : >"$dir/strange"
+    return "$status"
 }
 
 nothing_is_removed() { fresh && packages && ! grep ' install ' "$dir/calls" | grep -v -e --no-remove; }
@@ -61,6 +72,7 @@ only_says_the_command() {
 
 check "it_says_what_it_wants_and_how_much_that_takes_first" says_what_it_wants_first
 check "a_package_that_cannot_be_had_does_not_keep_the_others_out" one_does_not_keep_the_others_out
+check "a_name_that_the_sources_do_not_have_does_not_hide_how_much_the_others_take" a_strange_one_does_not_hide_the_sizes
 check "no_package_is_removed" nothing_is_removed
 check "SIGTERM_leaves_the_system_whole" is_whole_after TERM
 check "Ctrl-C_leaves_the_system_whole" is_whole_after INT

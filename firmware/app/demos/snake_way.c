@@ -10,12 +10,12 @@
 #define SPREAD     5
 
 /* The field while it is steered; cells are counted from its middle. */
-#define CELL        (FX_ONE * 5 / 4)
-#define CELL_FRAMES 16u
-#define CELLS_X     4 /* -4 .. 4 */
-#define CELLS_Z     3
-#define SHORTEST    10u /* balls */
-#define ROUND       (SNAKE_TRAIL * CELL_FRAMES)
+#define CELL          (FX_ONE * 5 / 4)
+#define CELL_FRAMES   16u
+#define CELLS_X       4 /* -4 .. 4 */
+#define CELLS_Z       3
+#define SHORTEST      10u /* balls */
+#define REPEAT_FRAMES (SNAKE_TRAIL * CELL_FRAMES)
 
 /* x = 5 sin t, z = 3.2 sin 2t. The path leads over the hump at t = 0 and below it half a turn later. */
 static struct fx_vec3 path(uint32_t turn32)
@@ -168,18 +168,18 @@ static void leave_path(struct snake_steering *s, uint32_t frame, int8_t turn)
 }
 
 /* Keeps the time small, so that it does not overflow: it goes back by a whole number of times around the path and of
- * cells that are remembered. Apples that are whole stay whole. */
+ * cells that are remembered. Apples that are fully grown stay so. */
 static void keep_time_small(struct snake_steering *s)
 {
-    _Static_assert(ROUND % (1u << (32 - PATH_SHIFT)) == 0, "the path would jump");
-    if (s->time < 2 * ROUND) {
+    _Static_assert(REPEAT_FRAMES % (1u << (32 - PATH_SHIFT)) == 0, "the path would jump");
+    if (s->time < 2 * REPEAT_FRAMES) {
         return;
     }
     for (uint32_t i = 0; i < SNAKE_APPLES; i++) {
         const uint32_t age = s->time - s->born[i];
-        s->born[i] = s->time - ROUND - (age < 2 * CELL_FRAMES ? age : 2 * CELL_FRAMES);
+        s->born[i] = s->time - REPEAT_FRAMES - (age < 2 * CELL_FRAMES ? age : 2 * CELL_FRAMES);
     }
-    s->time -= ROUND;
+    s->time -= REPEAT_FRAMES;
 }
 
 /* Steers for one frame. */

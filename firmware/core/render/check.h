@@ -1,9 +1,8 @@
 /*
- * check: calls that a program must not make are refused before they read or write what is not there. Private to
- * firmware/core.
+ * check: arguments are checked before anything is read or written through them. Private to firmware/core.
  *
  * A library that is built with -DPH_CHECKED looks at every index of a mesh, too, which takes about as long as to
- * transform it. Programs of a computer and all tests are built so, images for kits are not.
+ * transform it. Programs for a PC and all tests are built so, images for kits are not.
  */
 #ifndef PH_CHECK_H
 #define PH_CHECK_H

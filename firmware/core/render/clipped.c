@@ -62,7 +62,7 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
         return;
     }
     if (material == NULL) {
-        ph_list_close(r); /* which the next call tells */
+        ph_list_close(r); /* the next function that returns a status says PH_ERR_STATE */
         return;
     }
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);

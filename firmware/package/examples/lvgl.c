@@ -20,8 +20,11 @@ static int flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t
 static void next_frame(lv_timer_t *timer)
 {
     static uint32_t frame;
-    if (triangle_draw(&renderer, frame++) == 0) {
-        ph_show(&renderer, flush, lv_timer_get_user_data(timer));
+    int status = triangle_draw(&renderer, frame++);
+    status = status != 0 ? status : ph_show(&renderer, flush, lv_timer_get_user_data(timer));
+    if (status != 0) {
+        LV_LOG_ERROR("Pinhole ends: %d (pinhole/status.h)", status);
+        lv_timer_delete(timer);
     }
 }
 
@@ -29,7 +32,10 @@ void pinhole_canvas(void)
 {
     lv_obj_t *canvas = lv_canvas_create(lv_screen_active());
     lv_canvas_set_buffer(canvas, canvas_pixels, WIDTH, HEIGHT, LV_COLOR_FORMAT_RGB565);
-    if (triangle_init(&renderer, PH_PIXELS_NATIVE) == 0) {
-        lv_timer_create(next_frame, 33, canvas);
+    const int status = triangle_init(&renderer, PH_PIXELS_NATIVE);
+    if (status != 0) {
+        LV_LOG_ERROR("Pinhole does not begin: %d (pinhole/status.h)", status);
+        return;
     }
+    lv_timer_create(next_frame, 33, canvas);
 }

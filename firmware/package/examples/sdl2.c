@@ -14,7 +14,7 @@ static int flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t
 int main(int argc, char *argv[])
 {
     const uint32_t frames = argc > 1 ? (uint32_t)atoi(argv[1]) : UINT32_MAX;
-    static uint8_t pixels[WIDTH * BAND * 3];
+    static uint16_t pixels[WIDTH * BAND * 3 / 2]; /* ph_show takes an even address */
     struct ph_renderer r;
     if (SDL_Init(SDL_INIT_VIDEO) != 0 || triangle_init(&r, PH_PIXELS_RGB888) != 0) {
         return 1;

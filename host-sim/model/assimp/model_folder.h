@@ -20,7 +20,8 @@ struct model_folder {
  * folders, or a "file:" URI. False: there is none, or it is outside. */
 bool model_folder_find(struct model_folder *folder, const char *name, char path[MODEL_PATH_BYTES]);
 
-/* The same for a path that begins with the folder's; the model itself may be a symbolic link to anywhere. */
+/* Finds the file of a path that a reader has joined to the model's folder, or of the model itself, which may be a
+ * symbolic link to anywhere. */
 bool model_folder_find_path(struct model_folder *folder, const char *from, char path[MODEL_PATH_BYTES]);
 
 #endif
