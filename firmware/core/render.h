@@ -379,7 +379,7 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
  * Starts a frame: clears the list of triangles and the statistics, and chooses the depth format if it is AUTO.
  * In:     view is world to view and must be rigid. light may be NULL: full ambient light. background is in wire order.
  *         It may be called at any time, and begins anew, however far the frame before has come.
- * Errors: PH_ERR_INVAL: near_z <= 0 (perspective, fisheye) or far_z <= near_z.
+ * Errors: PH_ERR_INVAL: near_z <= 0 (perspective, fisheye) or far_z <= near_z; view or projection is NULL.
  *         PH_ERR_RANGE: the principal point is more than the picture's width or height off the centre (|shift| > 2), or
  *         the focal length is 2^18 pixels or more.
  *         PH_ERR_STATE: r is not initialised. After an error no frame has begun: nothing is drawn, and functions that
@@ -398,7 +398,7 @@ int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const st
 /*
  * Sets the fog of this frame, in steps of 1/32 of the way between two colours. Call it after ph_frame_begin; it takes
  * the camera of that moment. It costs a pass over all pixels of a band.
- * Errors: PH_ERR_INVAL: start >= end. PH_ERR_STATE: no frame has begun, or its bands are made.
+ * Errors: PH_ERR_INVAL: fog is NULL, or start >= end. PH_ERR_STATE: no frame has begun, or its bands are made.
  */
 int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
 
@@ -441,7 +441,8 @@ uint32_t ph_frame_bands(struct ph_renderer *r);
 /*
  * Clears and draws band number `band`. Call it for all bands in order from 0, the top, each once. pixels has room for
  * width * band_height pixels in wire order. Returns the number of lines; 0, with nothing written, for a band out of
- * turn; 0 for the last band, too, if a material has changed since it was drawn: then the picture is not right.
+ * turn, or pixels that are NULL or at an odd address; 0 for the last band, too, if a material has changed since it was
+ * drawn: then the picture is not right.
  */
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 
@@ -454,9 +455,9 @@ typedef int ph_flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint
  * With config.shown only the smallest rectangle that holds a band's changes is given, and nothing of a band that is as
  * it was; the first frame, and the one after a frame that was stopped, are given whole.
  * Text and pictures of overlay.h are drawn into a band's pixels: they need a loop with ph_draw_band in its place.
- * Errors: PH_ERR_INVAL: config.pixels or config.pixel_order is wrong. PH_ERR_STATE: no frame has begun, or it was shown
- * already, perhaps in part: flush is not called; or a material has changed since it was drawn: flush is not called
- * again. Else what flush returned.
+ * Errors: PH_ERR_INVAL: flush is NULL, or config.pixels or config.pixel_order is wrong. PH_ERR_STATE: no frame has
+ * begun, or it was shown already, perhaps in part: flush is not called; or a material has changed since it was drawn:
+ * flush is not called again. Else what flush returned.
  */
 int ph_show(struct ph_renderer *r, ph_flush *flush, void *context);
 

@@ -532,6 +532,59 @@ static void a_clipped_triangle_counts_once(void **state)
 /* ---- colours ---------------------------------------------------------------------------------------------- */
 
 /* Red 5 bits, green 6, blue 5, the byte with red first. */
+/* ---- mistakes ---------------------------------------------------------------------------------------------- */
+
+#define MEMBER(m)                                                                                                      \
+    {                                                                                                                  \
+        offsetof(struct ph_material, m), sizeof((struct ph_material){0}.m)                                             \
+    }
+
+/* Each bit of each member is changed between the draw and the bands. */
+static void a_material_that_changes_after_its_draw_is_told(void **state)
+{
+    (void)state;
+    static const struct {
+        size_t offset, bytes;
+    } members[] = {MEMBER(shading), MEMBER(two_sided), MEMBER(shininess_log2), MEMBER(depth_bias),
+                   MEMBER(ambient), MEMBER(diffuse),   MEMBER(specular),       MEMBER(colour),
+                   MEMBER(ramp),    MEMBER(texture),   MEMBER(blend),          MEMBER(depth_bias_slope)};
+    struct drawing d;
+    drawing_open(&d);
+    for (size_t m = 0; m < sizeof members / sizeof *members; m++) {
+        for (size_t bit = 0; bit < 8 * members[m].bytes; bit++) {
+            drawing_begin(&d, NULL);
+            struct rig_one *one = shape_mesh(&d, &screen[0]);
+            draw_mesh(&d, one);
+            uint8_t *const at = (uint8_t *)&one->material + members[m].offset + bit / 8;
+            *at ^= (uint8_t)(1u << bit % 8);
+            assert_int_equal(ph_frame_bands(&d.rig.r), 0);
+            *at ^= (uint8_t)(1u << bit % 8);
+        }
+    }
+    drawing_close(&d);
+}
+
+static void what_is_null_is_refused(void **state)
+{
+    (void)state;
+    static struct ph_renderer zeros;
+    const struct ph_xform view = {0};
+    assert_int_equal(ph_frame_bands(&zeros), 0);
+    struct drawing d;
+    drawing_open(&d);
+    struct ph_renderer *const r = &d.rig.r;
+    assert_int_equal(ph_frame_fog(r, NULL), PH_ERR_INVAL);
+    assert_int_equal(ph_frame_camera(r, NULL, NULL), PH_ERR_INVAL);
+    assert_int_equal(ph_frame_camera(r, &view, NULL), PH_ERR_INVAL);
+    assert_int_equal(ph_draw_mesh(r, NULL, &view), PH_ERR_INVAL);
+    assert_int_equal(ph_show(r, NULL, NULL), PH_ERR_INVAL);
+    assert_true(ph_frame_bands(r) > 0);
+    assert_int_equal(ph_draw_band(r, 0, NULL), 0);
+    assert_int_equal(ph_draw_band(r, 0, (uint16_t *)((uintptr_t)d.rig.pixels + 1)), 0);
+    assert_int_equal(ph_frame_begin(r, NULL, NULL, NULL, 0), PH_ERR_INVAL);
+    drawing_close(&d);
+}
+
 static void colours_are_in_wire_order(void **state)
 {
     static const struct {
@@ -606,6 +659,8 @@ int main(void)
         cmocka_unit_test(a_clipped_triangle_counts_once),
         cmocka_unit_test(background_fills_what_is_not_drawn),
         cmocka_unit_test(impossible_configurations_are_refused),
+        cmocka_unit_test(a_material_that_changes_after_its_draw_is_told),
+        cmocka_unit_test(what_is_null_is_refused),
         cmocka_unit_test(colours_are_in_wire_order),
         cmocka_unit_test(ramp_goes_from_black_over_the_colour_to_white),
     };

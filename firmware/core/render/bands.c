@@ -479,7 +479,7 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
-    if (band != r->list.band || band >= r->band_count) {
+    if (band != r->list.band || band >= r->band_count || (uintptr_t)pixels % sizeof(uint16_t) != 0 || pixels == NULL) {
         return 0;
     }
     r->list.band++;

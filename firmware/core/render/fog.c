@@ -81,7 +81,7 @@ int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog)
     if (r->list.is_closed == PH_LIST_CLOSED) {
         return PH_ERR_STATE;
     }
-    if (fog->start >= fog->end) {
+    if (fog == NULL || fog->start >= fog->end) {
         return PH_ERR_INVAL;
     }
     for (int i = 0; i < 32; i++) {

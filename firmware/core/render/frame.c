@@ -163,6 +163,9 @@ int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const st
     if (r->list.is_closed == PH_LIST_CLOSED) {
         return PH_ERR_STATE;
     }
+    if (view == NULL || projection == NULL) {
+        return PH_ERR_INVAL;
+    }
     return set_camera(r, view, projection, r->stats.depth_format, r->stats.depth_exponent);
 }
 
@@ -185,7 +188,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
         return PH_ERR_STATE;
     }
     ph_list_close(r);
-    if (light != NULL && light->count > PH_LIGHTS_MAX) {
+    if (view == NULL || projection == NULL || (light != NULL && light->count > PH_LIGHTS_MAX)) {
         return PH_ERR_INVAL;
     }
     unsigned exponent;
@@ -205,7 +208,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
 
 uint32_t ph_frame_bands(struct ph_renderer *r)
 {
-    if (r->list.is_closed == PH_LIST_CLOSED) {
+    if (r->list.is_closed == PH_LIST_CLOSED || r->band_count == 0) {
         return 0;
     }
     const bool is_kept = ph_check_materials(r);

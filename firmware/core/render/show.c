@@ -67,7 +67,8 @@ int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
     if (r->list.is_closed == PH_LIST_CLOSED) {
         return PH_ERR_STATE;
     }
-    if (pixels == NULL || (uintptr_t)pixels % sizeof(uint16_t) != 0 || config->pixel_order > PH_PIXELS_RGB888) {
+    if (flush == NULL || pixels == NULL || (uintptr_t)pixels % sizeof(uint16_t) != 0 ||
+        config->pixel_order > PH_PIXELS_RGB888) {
         return PH_ERR_INVAL;
     }
     const uint32_t width = (uint32_t)config->width >> r->fine, bands = ph_frame_bands(r);
