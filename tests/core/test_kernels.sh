@@ -131,7 +131,7 @@ long "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2,
 short "the_loops_for_rv32_leave_what_those_in_C_leave" same_loops rv32
 form=rv32imac_zba_zbb_zbkb form_of_cpu=rv32,zba=true,zbb=true,zbkb=true short "the_loops_for_rv32_with_Zba_Zbb_Zbkb_leave_the_same" same_loops rv32
 long "a_hidden_pixel_drawn_for_rv32_is_seen" change_is_seen rv32 span_flat 's/bgeu t0, t1, 1f/bgtu t0, t1, 1f/'
-long "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/bnez t0, 1f/beqz t0, 1f/' 'small_gouraud small_knee'
+long "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/beqz a0, done/j done/' 'small_gouraud small_knee wide_gouraud'
 long "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/srli s10, a3, 1/srli s10, a3, 2/' wide_gouraud
 long "a_knee_forgotten_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/add t1, t1, t3/nop/' small_knee
 long "a_hidden_sample_drawn_for_rv32_is_seen" change_is_seen rv32 fine_gouraud 's/bgeu t0, .code, 1f/bgtu t0, \\code, 1f/'
@@ -154,7 +154,7 @@ if [ "$(uname -m)" = x86_64 ]; then
     short "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
     long "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen gouraud8.h 's/switch (n & 7)/switch (n \& 3)/'
     long "a_hidden_sample_drawn_for_x86_64_is_seen" vector_change_is_seen fine_gouraud.c 's/_mm_andnot_si128(hidden, change)/change/'
-    long "light_of_another_pixel_row_for_x86_64_is_seen" vector_change_is_seen fine_gouraud.c 's|(small->light & 1) == 0|(small->light \& 1) != 0|'
+    long "light_of_another_pixel_row_for_x86_64_is_seen" vector_change_is_seen fine_gouraud.c 's|(rows->light & 1) == 0|(rows->light \& 1) != 0|'
     long "half_the_green_of_a_mean_for_x86_64_is_seen" vector_change_is_seen halve.c 's/_mm_slli_epi16(green, 13)/_mm_setzero_si128()/'
     long "a_sample_left_out_of_a_mean_for_x86_64_is_seen" vector_change_is_seen halve.c 's/lower + 2 \* at/lower + at/'
     long "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen texels2.h 's/((uint64_t)1 << 26 | 1)/((uint64_t)1 << 27 | 1)/'
