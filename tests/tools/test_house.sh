@@ -153,6 +153,28 @@ an_uncalled_function() {
     uncalled "$dir/circle/new.c" "$dir/circle/new.h"
 }
 
+# ---- linker scripts ------------------------------------------------------------------------------
+
+# Names of functions in linker scripts that no source of their module has, nor a header: code that moves in silence. A
+# function of that name may well be inlined in an image.
+unnamed() { # linker script...
+    local object section name end
+    grep -o '\*[^ (]*([^)]*\.text\.[^)]*)' "$@" | sed 's/^[^*]*//' | tr '()' '  ' |
+        awk '{ for (i = 2; i <= NF; i++) { if ($i ~ /^\.text\.[a-z]/) { print $1, $i } } }' | sort -u | while read -r object section; do
+        name=${section#.text.} end='\('
+        [[ $name != *\* ]] || end='[a-z0-9_]*\(' name=${name%\*}
+        find firmware hal \( -path "${object%.o}.c" -o -name '*.h' -o -name '*.inc' \) -exec grep -hE "\\b$name$end" {} + | grep -q . ||
+            echo "$object($section)"
+    done
+}
+
+linker_scripts() { git ls-files '*.ld' 2>/dev/null | grep . || find firmware hal -name '*.ld'; }
+
+a_renamed_function() {
+    sed 's/\.text\.take_chunk/.text.take_chunks/' hal/rp2040/cores1/seldom.ld >"$dir/renamed.ld"
+    unnamed "$dir/renamed.ld"
+}
+
 # ---- walls ---------------------------------------------------------------------------------------
 
 # A source file of this room that includes this header must not compile, for want of the header and nothing else.
@@ -206,6 +228,9 @@ check "the stack's bound knows every source that gives work to the other core" n
 check "... another one is seen" sees 'ahead.c gives work' an_unruled_source
 check "fuzz_total calls every public function but the renderer's own" none uncalled tests/core/fuzz_total.c firmware/core/*.h
 check "... one that it leaves out is seen" sees 'does not call fx_vec3_new$' an_uncalled_function
+# shellcheck disable=SC2046 # names are words
+check "every name in a linker script is a function of its module" none unnamed $(linker_scripts)
+check "... a renamed one is seen" sees 'take_chunks' a_renamed_function
 check "no room can include what is another's" walls
 check "... a wall with a hole is seen" sees 'can include render.h' a_hole
 tap_end
