@@ -81,10 +81,7 @@ static bool one(void)
         n = fuzz_change(bytes, n, ROOM);
     }
     const bool is_taken = emulate_image_check(fuzz_file(bytes, n), FLASH) == 0;
-    const char *const said = fuzz_said(), *const end = strchr(said, '\n');
-    if (is_taken ? said[0] != '\0' : end == NULL || end[1] != '\0') {
-        fuzz_fail("not one line, or one for what was taken");
-    }
+    fuzz_said(is_taken);
     if (is_taken && !is_whole(bytes, n)) {
         fuzz_fail("a part of an image was taken");
     }

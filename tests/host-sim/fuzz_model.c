@@ -73,11 +73,7 @@ static bool one(void)
     }
     struct model *model;
     const int status = model_open(&model, file_bytes(names[kind], bytes, n), NULL);
-    const char *const said = fuzz_said(), *const end = strchr(said, '\n');
-    if (status == 0 ? said[0] != '\0' : end == NULL || end[1] != '\0') {
-        fuzz_fail("not one line, or one for what was taken");
-    }
-    broken += strstr(said, "crashed or hung") != NULL;
+    broken += strstr(fuzz_said(status == 0), "crashed or hung") != NULL;
     model_close(model);
     return status == 0;
 }

@@ -148,7 +148,7 @@ const char *fuzz_file(const void *bytes, size_t n)
     return path;
 }
 
-const char *fuzz_said(void)
+const char *fuzz_said(bool is_taken)
 {
     static char text[4096];
     fflush(stderr);
@@ -156,6 +156,10 @@ const char *fuzz_said(void)
     text[n > 0 ? n : 0] = '\0';
     if (n < 0 || ftruncate(said, 0) != 0 || lseek(said, 0, SEEK_SET) != 0) {
         fuzz_fail("no file in memory");
+    }
+    const char *const end = strchr(text, '\n');
+    if (is_taken ? text[0] != '\0' : end == NULL || end[1] != '\0') {
+        fuzz_fail("not one line, or one for what was taken");
     }
     return text;
 }

@@ -24,8 +24,9 @@ size_t fuzz_change_text(char *text, size_t n, size_t room);
 /* The path of a file with these bytes, which the next call writes over. */
 const char *fuzz_file(const void *bytes, size_t n);
 
-/* What a reader has said on stderr since the last call; the text is cut to what fits. */
-const char *fuzz_said(void);
+/* What a reader has said on stderr since the last call; the text is cut to what fits. It fails unless that is nothing
+ * where the input was taken, else one line. */
+const char *fuzz_said(bool is_taken);
 
 /* Ends the run with a line that names the input. */
 _Noreturn void fuzz_fail(const char *what);

@@ -211,17 +211,15 @@ uint32_t ph_frame_bands(struct ph_renderer *r)
     if (r->list.is_closed == PH_LIST_CLOSED || r->band_count == 0) {
         return 0;
     }
-    const bool is_kept = ph_check_materials(r);
-    if (is_kept) {
-        ph_feed_sort(r);
+    if (!ph_check_materials(r)) {
+        ph_list_close(r);
+        return 0;
     }
+    ph_feed_sort(r);
     r->carried = r->slots = r->ahead = NULL;
     r->slots_used[0] = r->list.used[1];
     r->slots_used[1] = r->list.used[2];
     ph_list_close(r);
-    if (!is_kept) {
-        return 0;
-    }
     r->list.band = 0;
     return r->band_count;
 }
