@@ -189,7 +189,7 @@ static int save(const struct frame_out *out, uint32_t frame, const struct ppm *p
     return status == 0 ? 0 : complain("%s: cannot be written: %s", out->path, strerror(-status));
 }
 
-/* Its frames wait on the disk. A full one ends the recording, and what was recorded is kept. */
+/* The frames of a GIF wait in a file. A full disk ends the recording, and what was recorded is kept. */
 static int put_gif(struct frame_out *out, const struct ppm *picture)
 {
     const int status = gif_out_add(out->gif, picture);
