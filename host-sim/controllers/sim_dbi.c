@@ -222,7 +222,7 @@ static void sleep_out(struct sim *sim)
 {
     struct sim_dbi *d = &sim->u.dbi;
     if (sim->time_ns < d->wake_ns) {
-        sim_complain(sim, SIM_EARLY_COMMAND, "SLPOUT within 120 ms of reset or SLPIN");
+        sim_complain(sim, SIM_EARLY_COMMAND, "SLPOUT (11h) within 120 ms of reset or SLPIN");
     }
     d->sleeping = false;
     d->ready_ns = next_command(sim);
@@ -233,7 +233,7 @@ static void sleep_in(struct sim *sim)
 {
     struct sim_dbi *d = &sim->u.dbi;
     if (sim->time_ns < d->nap_ns) {
-        sim_complain(sim, SIM_EARLY_COMMAND, "SLPIN within 120 ms of SLPOUT");
+        sim_complain(sim, SIM_EARLY_COMMAND, "SLPIN (10h) within 120 ms of SLPOUT (11h)");
     }
     d->sleeping = true;
     d->ready_ns = next_command(sim);
@@ -243,7 +243,7 @@ static void sleep_in(struct sim *sim)
 static void software_reset(struct sim *sim)
 {
     if (sim->time_ns < sim->u.dbi.nap_ns) {
-        sim_complain(sim, SIM_EARLY_COMMAND, "SWRESET within 120 ms of SLPOUT");
+        sim_complain(sim, SIM_EARLY_COMMAND, "SWRESET (01h) within 120 ms of SLPOUT (11h)");
     }
     reset(sim);
     sim->u.dbi.ready_ns = next_command(sim);
