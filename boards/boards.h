@@ -3,6 +3,7 @@
 #define BOARDS_H
 
 #include "board.h"
+#include "budgets.h"
 #include "panels.h"
 
 /* Raspberry Pi 5; 4; all before. GPIOn of the header is line n of the chip with this label. */

@@ -10,14 +10,14 @@
 #   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in an emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
 #   CHANGES=0|1                                   frames are sent whole | only their changes are (default, if the port can)
 #   CORES=1|2                                     how many cores the image uses
-#   RAM_CODE=small                                RP2040: only what small triangles of a mesh need runs from RAM; 27 KB are left for APP, or a larger ram_bytes
+#   RAM_CODE=small                                RP2040: only what small triangles of a mesh need runs from RAM; 27 KB are left for APP, or a larger scene_bytes
 #   ISA=arm|riscv                                 which cores of an RP2350 it is for
 #   VERSION=1.0                                   what picotool info shows as its version; Pinhole's by default
 #
 # A microcontroller board has, beside board.c (its data), a boards/NAME/board.mk with
 #   PORT              a folder of hal/
 #   CHIP_FLASH_BYTES  the board's flash
-#   CHIP_RAM_BYTES    the chip's RAM; an image may take board.c's ram_bytes of it, stack included
+#   CHIP_RAM_BYTES    the chip's RAM; an image may take board.c's image_ram of it, stack included
 # A port has, beside its C and assembler files, a hal/PORT/port.mk with
 #   PORT_CPU          a folder of firmware/core/kernels: armv6m, armv7m, rv32
 #   PORT_FLAGS        for compiler and linker: -mcpu=... -mthumb
@@ -25,9 +25,8 @@
 #   PORT_LIBS         optional: what is linked last; without it --specs=nano.specs
 #   PORT_SRC          its .c and .S files, and those of a shared folder, e.g. hal/cortexm
 #   PORT_LD           the linker script; it finds what it includes in hal/PORT and hal/cortexm
-#   PORT_STACK_BYTES  the stack's size; the linker script gets it as the symbol stack_bytes
-#   PORT_STACK_EXTRA  stack that the call graph does not show: frames of interrupts
-#   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes, e.g. for code that runs from RAM
+#   PORT_STACK_EXTRA  stack that the call graph does not show: frames of interrupts. The linker script gets the symbol
+#                     stack_bytes: what the call graph's deepest path takes, and this
 #   PORT_AHEAD_BYTES  optional: memory in which a second core makes the scene of the next frame
 #   PORT_CORES        optional: the values that CORES may have; without it 1
 #   PORT_RAM_CODES    optional: other values of RAM_CODE, folders of hal/PORT with the linker scripts that PORT_LD includes
@@ -62,7 +61,7 @@ SCENE_FLAGS ?=
 SCENE_PROGRAM_BYTES ?= 192512 # flash for everything but the scene's data
 BOARD_HOME := $(firstword $(wildcard $(BOARD_DIR:%=%/$(BOARD))) boards/$(BOARD))
 
-.PHONY: firmware flash emulate speed image image-size
+.PHONY: firmware flash emulate budgets speed image image-size
 
 MCU_BOARDS := $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk))
 
@@ -134,6 +133,9 @@ emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [FRAMES=n]: ru
 	$(Q)rm -rf '$(EMULATE_DIR)'; mkdir -p '$(EMULATE_DIR)'
 	$(Q)$(EMULATE) '$(IMAGE).elf' '$(EMULATE_DIR)' '$(FRAMES)'
 
+budgets: ## [BOARD=x]: how much memory kits can give to scenes, from what their images take; writes boards/budgets.h
+	+$(Q)B='$(B)' firmware/tools/budgets.sh $(BOARD)
+
 speed: ## BOARD=x of an RP2040 or RP2350: frames/s and load of each core for every demo, with one core and with two, emulated
 	$(Q)$(NO_BOARD)$(or $(SPEED),echo 'make speed: BOARD=$(BOARD): only the boards of an RP2040 or RP2350 have an emulator whose bus takes time' >&2; exit 2)
 
@@ -144,8 +146,8 @@ IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAM
 LD_SEARCH := -L hal/$(PORT) -L hal/$(PORT)/$(RAM_CODE) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
-	$(Q)CROSS='$(CROSS)' firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash="$$(($(IMAGE_FLASH_BYTES)))" ram="$$(($$($(B)/board-facts ram_bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
-	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)' || { rm -f '$(OUT).bin' '$(OUT).uf2'; exit 1; } # so that nobody flashes it
+	$(Q)CROSS='$(CROSS)' firmware/tools/budget.sh '$(OUT).elf' '$(BOARD)' flash="$$(($(IMAGE_FLASH_BYTES)))" ram="$$($(B)/board-facts image_ram $(CORES))" \
+	    chip_ram='$(CHIP_RAM_BYTES)' stack="$$(cat '$(STACK)')" || { rm -f '$(OUT).bin' '$(OUT).uf2'; exit 1; } # so that nobody flashes it
 
 image-size: $(OUT).elf
 	$(Q)firmware/tools/modules.sh '$(OUT).map'
@@ -169,7 +171,7 @@ BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene
 BUILD_TEXT = $(or $(SCENE_NAME),$(APP_NAME)) for $(BOARD), CORES=$(CORES) CHANGES=$(CHANGES)$(if $(ISA), ISA=$(ISA))$(if $(IMAGE_RAM), RAM_CODE=$(RAM_CODE))
 
 $(B)/board_here.flags: $(B)/board-facts
-	@echo "$(BOARD_DEFS) -DRAM_BYTES=$$($< ram_bytes) '-DIMAGE_BUILD=\"$(BUILD_TEXT)\"'" >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+	@echo "$(BOARD_DEFS) -DMEMORY_BYTES=$$($< scene_bytes) '-DIMAGE_BUILD=\"$(BUILD_TEXT)\"'" >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 # What a port may tell about an image (PORT_INFO). An image looks for a scene if its main() asks board_here.c where one is.
 $(B)/image_info.h: $(B)/board-facts $(B)/main-$(APP_NAME).o
@@ -182,13 +184,17 @@ $(PORT_INFO:%.c=$(B)/%.o): private override CPPFLAGS += -include $(B)/image_info
 $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@
 
+STACK := $(B)/$(APP_NAME).stack
+$(STACK): $(IMAGE_OBJ) firmware/tools/stack.sh firmware/tools/stack.awk
+	$(Q)firmware/tools/stack.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' '$(PORT_STACK_EXTRA)' >'$@.new' && mv '$@.new' '$@'
+
 UF2_ELF := $(if $(UF2_APP_BASE),$(B)/uf2-$(notdir $(OUT)).elf,$(OUT).elf)
 $(filter-out $(OUT).elf,$(UF2_ELF)): $(OUT).elf
-$(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/$(RAM_CODE)/*.ld)
+$(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(STACK) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/$(RAM_CODE)/*.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
 	$(Q)firmware/tools/link.sh '$@' '$(@:.elf=.map)' $(CC) $(CFLAGS) -nostartfiles $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \
-	    -Wl,--defsym=stack_bytes=$(PORT_STACK_BYTES),--defsym=flash_base=$(or $(if $(filter $(OUT).elf,$@),$(UF2_BASE),$(UF2_APP_BASE)),0) $(IMAGE_OBJ) $(or $(PORT_LIBS),--specs=nano.specs)
+	    -Wl,--defsym=stack_bytes=$$(cat '$(STACK)'),--defsym=flash_base=$(or $(if $(filter $(OUT).elf,$@),$(UF2_BASE),$(UF2_APP_BASE)),0) $(IMAGE_OBJ) $(or $(PORT_LIBS),--specs=nano.specs)
 	$(Q)$(if $(PORT_FINISH),set -- '$@.part'; $(PORT_FINISH))
 	$(Q)mv $@.part $@
 

@@ -12,6 +12,6 @@
              .select = BOARD_LINE_LOW("AD3"),                                                                          \
              .dc = BOARD_LINE("AC0"),                                                                                  \
              .reset = BOARD_LINE("AC1")},                                                                              \
-    .band_height = 60, .ram_bytes = 16 * 1024 * 1024
+    .band_height = 60, .scene_bytes = 16 * 1024 * 1024
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "boards.h"
 
-#define SIM_BOARD .pinout = "none", .band_height = 60, .ram_bytes = 16 * 1024 * 1024
+#define SIM_BOARD .pinout = "none", .band_height = 60, .scene_bytes = 16 * 1024 * 1024
 
 #define SIM_PINS .pins = {.reset = BOARD_PIN(0), .backlight = BOARD_PIN(1)}
 

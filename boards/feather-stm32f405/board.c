@@ -21,5 +21,5 @@ const struct board board_feather_stm32f405 = {
             .dc = BOARD_PIN(BOARD_PORT('B', 9)),
         },
     .band_height = 16,
-    .ram_bytes = 112 * 1024,
+    BUDGET_STM32F405,
 };

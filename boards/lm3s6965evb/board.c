@@ -31,5 +31,5 @@ const struct board board_lm3s6965evb = {
         },
     .button_count = 5,
     .band_height = 8,
-    .ram_bytes = 38 * 1024,
+    BUDGET_LM3S6965,
 };

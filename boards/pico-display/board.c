@@ -5,5 +5,5 @@ const struct board board_pico_display = {
     .title = "Raspberry Pi Pico with Pimoroni Pico Display Pack, 1.14\", 240x135",
     PICO_DISPLAY_PACK,
     .band_height = 16,
-    .ram_bytes = 118 * 1024,
+    BUDGET_RP2040,
 };

@@ -5,5 +5,5 @@ const struct board board_waveshare_pico_lcd_0in96 = {
     .title = "Raspberry Pi Pico with Waveshare Pico-LCD-0.96, 160x80",
     PICO_WAVESHARE_0IN96,
     .band_height = 16,
-    .ram_bytes = 118 * 1024,
+    BUDGET_RP2040,
 };

@@ -5,5 +5,5 @@ const struct board board_waveshare_pico_lcd_1in3 = {
     .title = "Raspberry Pi Pico with Waveshare Pico-LCD-1.3, 240x240",
     PICO_WAVESHARE_1IN3,
     .band_height = 16,
-    .ram_bytes = 118 * 1024,
+    BUDGET_RP2040,
 };

@@ -5,5 +5,5 @@ const struct board board_waveshare_rp2040_lcd_1in28 = {
     .title = "Waveshare RP2040-LCD-1.28, round, 240x240",
     PICO_WAVESHARE_1IN28("https://www.waveshare.com/wiki/RP2040-LCD-1.28"),
     .band_height = 16,
-    .ram_bytes = 118 * 1024,
+    BUDGET_RP2040,
 };

@@ -11,5 +11,5 @@ const struct board board_waveshare_rp2350_lcd_0in96 = {
     PICO_WAVESHARE(25),
     PICO_GLASS_0IN96,
     .band_height = 16,
-    .ram_bytes = 160 * 1024,
+    BUDGET_RP2350,
 };

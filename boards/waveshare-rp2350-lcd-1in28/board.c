@@ -6,5 +6,5 @@ const struct board board_waveshare_rp2350_lcd_1in28 = {
     .title = "Waveshare RP2350-LCD-1.28, round, 240x240",
     PICO_WAVESHARE_1IN28("https://www.waveshare.com/wiki/RP2350-LCD-1.28"),
     .band_height = 16,
-    .ram_bytes = 160 * 1024,
+    BUDGET_RP2350,
 };

@@ -44,7 +44,7 @@ struct demo_context {
 
 /*
  * Memory with which nothing is dropped. arena_bytes: what init takes at most on this machine; arena_bytes_32: the same
- * on a 32-bit target, 0: as many (a demo for targets only). Set both by DEMO_ARENA().
+ * on a 32-bit target, or 0: what demo_arena_bytes_32() knows of it.
  */
 struct demo_level {
     size_t arena_bytes;
@@ -53,12 +53,6 @@ struct demo_level {
     uint32_t corner_max;               /* corners that clipping and curves add, and all else in their place: 16 bytes */
     uint16_t enough_px;                /* up to this smaller side of the picture it is taken though a finer one fits */
 };
-
-/* On a 32-bit target it does not compile if the size there is another; x86 is none, and aligns 64-bit members less. */
-#define DEMO_ARENA(here, on_32)                                                                                        \
-    .arena_bytes = (here),                                                                                             \
-    .arena_bytes_32 = (on_32) + 0 * (uint32_t)sizeof(char[DEMO_ARENA_OTHER || (here) == (on_32) ? 1 : -1])
-#define DEMO_ARENA_OTHER (sizeof(void *) > 4 || _Alignof(uint64_t) < 8)
 
 struct demo {
     const char *name;
@@ -92,6 +86,10 @@ uint32_t demo_draw_band(const struct demo *demo, struct demo_context *context, s
 
 /* Scratch memory that the demo wants for a picture of this width in bands of this height; most want 0. */
 size_t demo_scratch_bytes(const struct demo *demo, uint16_t width, uint16_t band_height);
+
+/* What a level of the demo (0: the finest) takes in its arena on a 32-bit target: its arena_bytes_32; for 0 what
+ * arenas.inc says of a demo in demo_list; else, as on such a target itself, its arena_bytes. */
+uint32_t demo_arena_bytes_32(const struct demo *demo, uint32_t level);
 
 /* Whether the demo has a view of this name. */
 bool demo_has_view(const struct demo *demo, const char *view);

@@ -8,7 +8,7 @@
 /* How the image was built, in the words of make: "demos for pico-display, CORES=1 CHANGES=1". */
 extern const char *const image_build;
 
-/* Static memory for the runner: the board's ram_bytes without RUNNER_OTHER_BYTES (memory_plan.h). */
+/* Static memory for the runner: the board's scene_bytes. */
 extern uint64_t image_memory[];
 extern const size_t image_memory_bytes;
 

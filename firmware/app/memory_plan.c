@@ -57,10 +57,16 @@ static uint64_t list_bytes(const struct demo_level *level, uint32_t slots)
                    (uint64_t)level->triangle_max * PH_REFERENCE_BYTES + (uint64_t)slots * PH_SLOT_BYTES_32);
 }
 
-static struct demo_level finest_of(const struct demo *demo)
+/* A level of a demo, 0 for the finest, with what its arena takes on a 32-bit target. */
+static struct demo_level level_at(const struct demo *demo, uint32_t number)
 {
-    const uint32_t bytes_32 = demo->arena_bytes_32 != 0 ? demo->arena_bytes_32 : (uint32_t)demo->arena_bytes;
-    return (struct demo_level){demo->arena_bytes, bytes_32, demo->vertex_max, demo->triangle_max, demo->corner_max, 0};
+    struct demo_level level = number > 0 ? demo->coarser[number - 1]
+                                         : (struct demo_level){.arena_bytes = demo->arena_bytes,
+                                                               .vertex_max = demo->vertex_max,
+                                                               .triangle_max = demo->triangle_max,
+                                                               .corner_max = demo->corner_max};
+    level.arena_bytes_32 = demo_arena_bytes_32(demo, number);
+    return level;
 }
 
 /* What a level of a demo takes on a 32-bit target. */
@@ -84,11 +90,11 @@ static uint32_t slots_of(const struct demo_level *level, uint64_t left)
 }
 
 /* A level as it is drawn: with samples a line is two. */
-static struct demo_level level_of(const struct demo_level *level, const struct picture_memory *p)
+static struct demo_level drawn_level(const struct demo *demo, uint32_t number, const struct picture_memory *p)
 {
-    struct demo_level drawn = *level;
-    drawn.triangle_max *= p->sample_bytes > 0 ? 2 : 1;
-    return drawn;
+    struct demo_level level = level_at(demo, number);
+    level.triangle_max *= p->sample_bytes > 0 ? 2 : 1;
+    return level;
 }
 
 /* Whether a coarser level of a demo is to be taken instead of this one. */
@@ -103,10 +109,9 @@ static bool is_too_fine(const struct demo_level *level, const struct demo_level 
  * with as many of its triangles as the list has room for, about. */
 static struct scene_memory scene_within(const struct demo *demo, const struct picture_memory *p, uint64_t budget)
 {
-    const struct demo_level finest = finest_of(demo);
-    struct demo_level level = level_of(&finest, p);
+    struct demo_level level = drawn_level(demo, 0, p);
     for (uint32_t i = 0; i < demo->coarser_count && is_too_fine(&level, &demo->coarser[i], p, budget); i++) {
-        level = level_of(&demo->coarser[i], p);
+        level = drawn_level(demo, i + 1, p);
     }
     const uint64_t whole = level_bytes_32(&level, SLOTS_LEAST), arena = ROUND8(level.arena_bytes_32);
     struct scene_memory s = {.arena_bytes = level.arena_bytes, .whole = whole <= budget};
@@ -175,11 +180,6 @@ uint64_t memory_plan_bytes(const struct memory_plan *plan)
     return memory_plan_picture_bytes(&plan->picture) + plan->scene.scratch_at + ROUND8(plan->scene.scratch_bytes);
 }
 
-uint32_t runner_budget(const struct board *board)
-{
-    return board->ram_bytes > RUNNER_OTHER_BYTES ? board->ram_bytes - RUNNER_OTHER_BYTES : 0;
-}
-
 size_t runner_bytes(const struct runner_config *config)
 {
     const struct memory_plan own = memory_plan(config, config->demo);
@@ -196,6 +196,6 @@ uint64_t runner_whole_bytes(const struct runner_config *config)
 {
     const struct demo *demo = config->demo;
     const struct picture_memory p = memory_plan_picture(config, config->board->band_height);
-    const struct demo_level level = finest_of(demo);
+    const struct demo_level level = level_at(demo, 0);
     return memory_plan_picture_bytes(&p) + level_bytes_32(&level, SLOTS_LEAST);
 }

@@ -21,13 +21,7 @@
 
 #include "runner_config.h"
 
-/* What an image needs beside the runner's memory: stack and variables. A board's budget is without it. */
-#define RUNNER_OTHER_BYTES 9472
-
 #define RUNNER_BANDS_MAX 16 /* band buffers */
-
-/* What a board gives to its runner: ram_bytes without RUNNER_OTHER_BYTES. */
-uint32_t runner_budget(const struct board *board);
 
 /* Memory that this machine needs, whichever demo is selected; the fields for memory are not read. On a 32-bit machine
  * it is at most budget_bytes. */

@@ -13,7 +13,7 @@ struct runner_config {
     uint16_t band_height;    /* lines; more than the picture has: the whole picture */
     uint32_t clock_hz;       /* bus clock asked for; 0: the board's */
     uint32_t budget_bytes;   /* for all memory on a 32-bit target, in bands of the board's own height (the picture does
-                                not depend on band_height); see runner_budget() */
+                                not depend on band_height); a board's is its scene_bytes */
     const struct demo *demo; /* the first; the select button takes the next on demo_list that fits */
     void *state;             /* that demo finds it in context->state; or NULL */
     const char *view;        /* one of its views, or NULL: the first */

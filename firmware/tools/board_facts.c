@@ -1,7 +1,7 @@
 /*
- * Usage: board-facts ram_bytes|pins
- * Prints ram_bytes of the board whose symbol BOARD_HERE is, or C macros with its name and its wired pins. firmware.mk
- * compiles it with that board's board.c on the computer that builds the image.
+ * Usage: board-facts scene_bytes | image_ram 1 | image_ram 2 | pins
+ * Prints scene_bytes of the board whose symbol BOARD_HERE is, or image_ram for so many cores, or C macros with its name
+ * and its wired pins. firmware.mk compiles it with that board's board.c on the computer that builds the image.
  */
 #include <stdio.h>
 #include <string.h>
@@ -55,10 +55,12 @@ int main(int argc, char *argv[])
 {
     if (argc == 2 && strcmp(argv[1], "pins") == 0) {
         put_pins();
-    } else if (argc == 2 && strcmp(argv[1], "ram_bytes") == 0) {
-        printf("%lu\n", (unsigned long)BOARD_HERE.ram_bytes);
+    } else if (argc == 2 && strcmp(argv[1], "scene_bytes") == 0) {
+        printf("%lu\n", (unsigned long)BOARD_HERE.scene_bytes);
+    } else if (argc == 3 && strcmp(argv[1], "image_ram") == 0) {
+        printf("%lu\n", (unsigned long)BOARD_HERE.image_ram[strcmp(argv[2], "2") == 0 ? 1 : 0]);
     } else {
-        fprintf(stderr, "usage: board-facts ram_bytes|pins\n");
+        fprintf(stderr, "usage: board-facts scene_bytes | image_ram 1 | image_ram 2 | pins\n");
         return 2;
     }
     return fflush(stdout) == 0 ? 0 : 1;

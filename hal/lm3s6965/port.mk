@@ -3,7 +3,6 @@ PORT_CPU := armv7m
 PORT_FLAGS := -mcpu=cortex-m3 -mthumb
 PORT_SRC := hal/lm3s6965/lm3s6965.c hal/cortexm/start.c hal/cortexm/one_core.c
 PORT_LD := hal/lm3s6965/lm3s6965.ld
-PORT_STACK_BYTES := 6656
 PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler
 UF2_BASE := 0x0
 EMULATE = $(B)/pinhole-emulate --machine lm3s6965evb --board $(BOARD)

@@ -3,7 +3,6 @@ PORT_CPU := armv7m
 PORT_FLAGS := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft
 PORT_SRC := hal/stm32f4/stm32f4.c hal/cortexm/start.c hal/cortexm/one_core.c
 PORT_LD := hal/stm32f4/stm32f4.ld
-PORT_STACK_BYTES := 6656
 PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler
 UF2_FAMILY := 0x57755a57
 UF2_BASE := 0x08000000

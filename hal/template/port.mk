@@ -3,7 +3,6 @@ PORT_CPU := armv7m
 PORT_FLAGS := -mcpu=cortex-m3 -mthumb
 PORT_SRC := hal/template/template.c hal/cortexm/start.c hal/cortexm/one_core.c
 PORT_LD := hal/template/template.ld
-PORT_STACK_BYTES := 6656
 PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler
 EMULATE = echo 'make emulate: hal/template drives no chip' >&2; exit 1; \#
 FLASH = echo 'make flash: hal/template drives no chip' >&2; exit 1

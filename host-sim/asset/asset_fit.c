@@ -37,7 +37,7 @@ static double room(const struct asset *asset, const struct asset_goal *goal)
     double share = ((double)goal->flash_bytes - (double)texture_bytes(asset)) / flash;
     if (goal->board != NULL) {
         const double bands = (double)asset_band_bytes(goal->board);
-        const double frame = ((double)runner_budget(goal->board) - bands) /
+        const double frame = ((double)goal->board->scene_bytes - bands) /
                              ((double)asset_frame_bytes(asset, goal->board, true) - bands);
         share = frame < share ? frame : share;
     }
@@ -47,7 +47,7 @@ static double room(const struct asset *asset, const struct asset_goal *goal)
 static bool fits(const struct asset *asset, const struct asset_goal *goal)
 {
     return asset_flash_bytes(asset) <= goal->flash_bytes &&
-           (goal->board == NULL || asset_frame_bytes(asset, goal->board, true) <= runner_budget(goal->board));
+           (goal->board == NULL || asset_frame_bytes(asset, goal->board, true) <= goal->board->scene_bytes);
 }
 
 /* Tells which texture size fits when the textures alone are too large for the flash. */
@@ -150,7 +150,7 @@ static int refuse(const struct asset *asset, const struct model *model, const st
     } else {
         snprintf(need, sizeof need, "need %llu bytes of memory, and %s has %u",
                  (unsigned long long)asset_frame_bytes(asset, goal->board, true), goal->board->name,
-                 (unsigned)runner_budget(goal->board));
+                 (unsigned)goal->board->scene_bytes);
     }
     struct asset smaller = {.memory = NULL};
     const int status = goal->fit ? COMPLAINED : make_fitting(&smaller, model, goal);

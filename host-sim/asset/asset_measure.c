@@ -163,7 +163,7 @@ uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board,
 
 uint64_t asset_band_bytes(const struct board *board)
 {
-    const struct demo none = {.arena_bytes = 0};
+    const struct demo none = {.name = ""};
     const struct runner_config config = config_of(board, &none);
     return runner_whole_bytes(&config);
 }

@@ -134,7 +134,7 @@ static void report_flash(FILE *file, const struct asset *asset)
 static void report_board(FILE *file, const struct asset *asset, const struct board *board)
 {
     const uint64_t need = asset_frame_bytes(asset, board, true), bands = asset_band_bytes(board),
-                   budget = runner_budget(board);
+                   budget = board->scene_bytes;
     char size[16];
     snprintf(size, sizeof size, "%ux%u", (unsigned)panel_width(board->panel, board->rotation),
              (unsigned)panel_height(board->panel, board->rotation));

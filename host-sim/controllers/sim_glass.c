@@ -69,7 +69,7 @@ int sim_virtual(struct sim_virtual *v, uint16_t width, uint16_t height)
         .spi_hz = 62500000,
         .pins = {.reset = BOARD_PIN(0), .backlight = BOARD_PIN(1)},
         .band_height = height < 16 ? height : 16,
-        .ram_bytes = UINT32_MAX, /* that of the computer */
+        .scene_bytes = UINT32_MAX, /* that of the computer */
     };
     return HAL_OK;
 }

@@ -107,7 +107,7 @@ static int choose_drm(struct panel_kit *kit, const struct panel_wiring *w)
                                 .format = PANEL_RGB565,
                                 .spi_hz = INT32_MAX,
                                 .band_height = 16,
-                                .ram_bytes = UINT32_MAX};
+                                .scene_bytes = UINT32_MAX};
     kit->hal = (struct hal){&kms_ops, &kit->kms};
     kit->sender = kms_sender(&kit->kms);
     return 0;

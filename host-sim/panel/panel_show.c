@@ -69,7 +69,7 @@ static int open_kit(struct panel_display *d, const struct runner_config *config)
     d->runner_open = d->runner.driver.config.panel != NULL; /* even a half-opened panel must go dark */
     if (status == PH_ERR_NOMEM) {
         return complain("%s: its %u KB do not hold '%s'; take a smaller scene or another board", d->board->name,
-                        (unsigned)(d->board->ram_bytes / 1024), config->demo->name);
+                        (unsigned)(d->board->scene_bytes / 1024), config->demo->name);
     }
     return status == 0 ? 0 : fail(d, "the panel does not wake up: ", status);
 }
@@ -82,7 +82,7 @@ static int open_display(struct panel_display *d, const struct panel_scene *scene
                                    .depth_format = scene->depth.format,
                                    .depth_exponent = scene->depth.exponent,
                                    .band_height = scene->band != 0 ? scene->band : board->band_height,
-                                   .budget_bytes = runner_budget(board),
+                                   .budget_bytes = board->scene_bytes,
                                    .demo = scene->demo,
                                    .state = scene->state,
                                    .view = scene->view,
@@ -129,7 +129,7 @@ static void tell_losses(struct panel_display *d, uint32_t frame)
         d->drops_told = true;
         complain_note("%s: frame %u: %u triangles and %u vertices of '%s' do not fit %u KB and are left out",
                       d->board->name, (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped,
-                      d->runner.demo->name, (unsigned)(d->board->ram_bytes / 1024));
+                      d->runner.demo->name, (unsigned)(d->board->scene_bytes / 1024));
     }
     if (!d->edge_told && d->runner.edges_missed != 0) {
         d->edge_told = true;

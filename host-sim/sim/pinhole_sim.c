@@ -194,7 +194,7 @@ static int choose_model(const struct sim_options *o, struct chosen *chosen, stru
     goal.model = o->model;
     goal.board = o->board != NULL ? setup->board : NULL;
     goal.turntable = o->view != NULL && strcmp(o->view, "turntable") == 0;
-    const bool is_kit = goal.board != NULL && goal.board->ram_bytes < KIT_RAM_MOST;
+    const bool is_kit = goal.board != NULL && goal.board->scene_bytes < KIT_RAM_MOST;
     goal.fit = o->goal_set ? goal.fit : is_kit;
     const bool is_all = !goal.fit && goal.triangles == UINT32_MAX;
     setup->demo = &chosen->model_demo;

@@ -8,7 +8,7 @@ static int refuse(const struct sim_player_setup *setup, int status)
 {
     if (status == PH_ERR_NOMEM) {
         return complain("%s: its %u bytes do not hold %s; %s", setup->board->name,
-                        (unsigned)runner_budget(setup->board), setup->file != NULL ? setup->file : setup->demo->name,
+                        (unsigned)setup->board->scene_bytes, setup->file != NULL ? setup->file : setup->demo->name,
                         setup->cure != NULL ? setup->cure : "take a smaller scene or another board");
     }
     return complain("%s: the panel does not open (%d)", setup->board->name, status);
@@ -27,7 +27,7 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
                                    .depth_format = setup->depth.format,
                                    .depth_exponent = setup->depth.exponent,
                                    .band_height = setup->band_height,
-                                   .budget_bytes = runner_budget(board),
+                                   .budget_bytes = board->scene_bytes,
                                    .demo = setup->demo,
                                    .state = setup->state,
                                    .view = setup->view,
@@ -63,7 +63,7 @@ static void tell_drops(struct sim_player *p, uint32_t frame)
     p->drops_told = true;
     complain_note("frame %u: %u triangles and %u vertices of '%s' do not fit %s's %u bytes and are left out%s%s",
                   (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped, p->runner.demo->name,
-                  p->setup.board->name, (unsigned)runner_budget(p->setup.board), p->setup.cure != NULL ? "; " : "",
+                  p->setup.board->name, (unsigned)p->setup.board->scene_bytes, p->setup.cure != NULL ? "; " : "",
                   p->setup.cure != NULL ? p->setup.cure : "");
 }
 

@@ -154,7 +154,7 @@ static struct stage *stage_open(const char *board_name, size_t ahead_bytes)
     s->config = (struct runner_config){.board = board,
                                        .rotation = board->rotation,
                                        .band_height = board->band_height,
-                                       .budget_bytes = runner_budget(board),
+                                       .budget_bytes = board->scene_bytes,
                                        .demo = demo_list[0]};
     s->config.memory_bytes = runner_bytes(&s->config);
     s->config.memory = malloc(s->config.memory_bytes);

@@ -253,7 +253,7 @@ static struct shown show(const struct demo *demo, bool tiles, uint32_t frame, ui
     struct runner_config config = {.board = board,
                                    .rotation = board->rotation,
                                    .band_height = board->band_height,
-                                   .budget_bytes = runner_budget(board),
+                                   .budget_bytes = board->scene_bytes,
                                    .demo = demo,
                                    .sender = tiles ? panel_tiles_sender(&tile) : panel_diff_sender(&diff)};
     config.memory_bytes = runner_bytes(&config);

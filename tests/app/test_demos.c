@@ -146,13 +146,14 @@ static void each_level_of_a_demo_is_coarser_and_fits_its_lists(void **state)
     for (uint32_t d = 0; d < demo_count; d++) {
         const struct demo *const demo = demo_list[d];
         const struct demo_level finest = {.arena_bytes = demo->arena_bytes,
-                                          .arena_bytes_32 = demo->arena_bytes_32,
                                           .vertex_max = demo->vertex_max,
                                           .triangle_max = demo->triangle_max,
                                           .corner_max = demo->corner_max};
         const struct demo_level *finer = &finest;
         for (uint32_t i = 0; i < demo->coarser_count; finer = &demo->coarser[i++], levels++) {
             const struct demo_level *const level = &demo->coarser[i];
+            const uint32_t bytes = demo_arena_bytes_32(demo, i + 1);
+            assert_true(bytes > 0 && bytes <= level->arena_bytes);
             assert_true(level->triangle_max < finer->triangle_max && level->arena_bytes <= finer->arena_bytes);
             for (uint32_t size = 0; size < sizeof kits / sizeof kits[0]; size++) {
                 if (level->enough_px == kits[4][1] && size != 4) { /* a fisheye's triangles become more with the size */
@@ -163,7 +164,7 @@ static void each_level_of_a_demo_is_coarser_and_fits_its_lists(void **state)
                 assert_true(level->arena_bytes < finer->arena_bytes ? vertices < before : vertices == before);
             }
         }
-        assert_true(demo->arena_bytes_32 > 0 && demo->arena_bytes_32 <= demo->arena_bytes);
+        assert_true(demo_arena_bytes_32(demo, 0) > 0 && demo_arena_bytes_32(demo, 0) <= demo->arena_bytes);
     }
     assert_int_equal(levels, 30); /* sixteen of them for a kit with little memory or a small picture */
 }

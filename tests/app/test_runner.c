@@ -204,7 +204,7 @@ static void stage_close(struct stage *s)
 static void no_buffer_is_touched_while_it_is_sent(void **state)
 {
     (void)state;
-    struct stage *s = stage_open(board_find("waveshare-pico-lcd-1in3"), runner_budget(board_find("pico-display")), 0);
+    struct stage *s = stage_open(board_find("waveshare-pico-lcd-1in3"), board_find("pico-display")->scene_bytes, 0);
     for (uint32_t frame = 0; frame < 5; frame++) {
         assert_int_equal(runner_frame(&s->runner, frame), 0);
     }
@@ -233,7 +233,7 @@ static void select_takes_the_next_demo_that_fits(void **state)
 static void a_button_that_is_held_selects_once(void **state)
 {
     (void)state;
-    struct stage *s = stage_open(board_find("pico-display"), runner_budget(board_find("pico-display")), 0);
+    struct stage *s = stage_open(board_find("pico-display"), board_find("pico-display")->scene_bytes, 0);
     s->bus.buttons = HAL_BUTTON_SELECT;
     assert_int_equal(runner_frame(&s->runner, 0), 0);
     const struct demo *first = s->runner.demo;
@@ -246,7 +246,7 @@ static void a_button_that_is_held_selects_once(void **state)
 static void up_and_down_together_select(void **state)
 {
     (void)state;
-    struct stage *s = stage_open(board_find("pico-display"), runner_budget(board_find("pico-display")), 0);
+    struct stage *s = stage_open(board_find("pico-display"), board_find("pico-display")->scene_bytes, 0);
     const struct demo *first = s->runner.demo;
     s->bus.buttons = HAL_BUTTON_UP;
     assert_int_equal(runner_frame(&s->runner, 0), 0);
@@ -289,7 +289,7 @@ static void a_smaller_budget_leaves_out_more_and_counts_it(void **state)
 
 static struct stage *stage_on(const struct board *board, const char *demo, uint16_t band_height)
 {
-    return stage_of(board, demo, band_height, runner_budget(board), 0);
+    return stage_of(board, demo, band_height, board->scene_bytes, 0);
 }
 
 static void a_demo_has_the_buffers_that_fit_beside_it(void **state)

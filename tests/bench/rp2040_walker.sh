@@ -13,7 +13,7 @@ export B=${B:-build}
 dir=$B/bench-walker board=pico-display-2-walker frames=${1:-64} kib=${KIB:-127} light=${LIGHT:-daylight} most=162201 # 60 % of 264 KiB
 rm -rf "$dir"
 mkdir -p "$dir/kits/$board"
-sed "s/board_pico_display_2 /board_${board//-/_} /; s/118 \* 1024/$kib * 1024/; s/\.band_height = 16/.band_height = ${LINES_A_BAND:-10}, .band_buffers = ${BUFFERS:-2}/" boards/pico-display-2/board.c >"$dir/kits/$board/board.c"
+sed "s/board_pico_display_2 /board_${board//-/_} /; s/BUDGET_RP2040/.scene_bytes = $((1024 * kib - 9472)), .image_ram = {$most, $most}/; s/\.band_height = 16/.band_height = ${LINES_A_BAND:-10}, .band_buffers = ${BUFFERS:-2}/" boards/pico-display-2/board.c >"$dir/kits/$board/board.c"
 cp boards/pico-display-2/board.mk "$dir/kits/$board"
 
 make -s "$B/pinhole-wire" "$B/libpinhole.a" "$B/libpinhole-app.a" "$B/libpinhole-host.a" >&2
@@ -34,7 +34,7 @@ fail() {
 
 for cores in ${CORES:-1 2}; do
     make -s firmware BOARD_DIR="$dir/kits" BOARD=$board CORES="$cores" APP="$(realpath "$dir")/walker.c" CPPFLAGS="-I$(realpath "$dir") -DWALKER_LIGHT=demo_$light" \
-        RAM_CODE=small PORT_RAM_BYTES=$((most - 1024 * kib)) >"$dir/$cores.made" 2>&1 || fail "no image: $(tail -n 3 "$dir/$cores.made")"
+        RAM_CODE=small >"$dir/$cores.made" 2>&1 || fail "no image: $(tail -n 3 "$dir/$cores.made")"
     elf=$B/firmware/$board-walker$([ "$cores" = 1 ] || echo "-cores$cores")-small.elf
     BOARD=pico-display-2 CORES=$cores hal/rp2040/emulate/emulate.sh "$elf" "$dir/$cores" "$((frames + 2))" --send "$((frames)):HG" \
         --limit-ms 100000 >"$dir/$cores.said" 2>"$dir/$cores.log" || fail "$(tail -n 1 "$dir/$cores.log")"

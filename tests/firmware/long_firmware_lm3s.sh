@@ -96,7 +96,7 @@ int main(void)
     static struct runner runner;
     const struct hal hal = port_hal();
     hal.ops->open(hal.context, board_here);
-    const struct runner_config config = {.board = board_here, .band_height = board_here->band_height, .budget_bytes = runner_budget(board_here),
+    const struct runner_config config = {.board = board_here, .band_height = board_here->band_height, .budget_bytes = board_here->scene_bytes,
         .demo = demo_find("cube"), .memory = image_memory, .memory_bytes = image_memory_bytes};
     if (runner_open(&runner, &hal, &config) != 0 || runner_frame(&runner, 0) != 0 || runner_finish(&runner) != 0) { return 1; }
     port_log("frame 0,\\n");
@@ -128,6 +128,10 @@ exit_status_is_passed_on() {
     timeout 600 qemu-system-arm -M lm3s6965evb -display none -monitor none -serial null -nic none -icount shift=5,sleep=off \
         -semihosting-config enable=on,target=native -kernel "$B/firmware/$board-leave.elf" 2>/dev/null
     [ $? = 7 ]
+}
+
+arenas_are_those_of_a_target() { # as `make budgets` writes them
+    firmware/tools/budgets.sh arenas 2>"$dir/said" | diff firmware/app/arenas.inc - || { cat "$dir/said" && return 1; }
 }
 
 refused() { # pattern of its one line, file
@@ -175,4 +179,5 @@ check "an_image_that_says_no_more_is_a_failure" fails_with silent 'logs nothing 
 check "a_file_that_is_no_image_is_refused_in_one_line" what_is_no_image_is_refused
 check "an_interrupted_emulator_leaves_no_QEMU" interrupted
 check "the_exit_status_is_the_images" exit_status_is_passed_on
+check "arenas_are_those_of_a_target" arenas_are_those_of_a_target
 tap_end

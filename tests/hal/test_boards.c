@@ -70,7 +70,7 @@ static void kits_are_complete(void **state)
         assert_true(b->spi_mode == 0 || b->spi_mode == 3);
         assert_true(b->flash <= BOARD_FLASH_SERIAL);
         assert_true(b->band_height >= 1 && b->band_height <= panel_height(b->panel, b->rotation));
-        assert_true(b->ram_bytes >= 4U * b->band_height * panel_width(b->panel, b->rotation)); /* colour and depth */
+        assert_true(b->scene_bytes >= 4U * b->band_height * panel_width(b->panel, b->rotation)); /* colour and depth */
         assert_int_equal(b->over_limit, b->spi_hz > b->panel->controller->write_hz);
         if (is_kit(b)) {
             assert_memory_equal(b->pinout, "https://", 8);

@@ -555,7 +555,7 @@ static void what_a_frame_needs_is_what_the_kit_takes(void **state)
     const uint64_t need = asset_frame_bytes(&asset, &board, false);
     assert_true(need > asset_band_bytes(&board) + 12 * (uint64_t)asset.model.triangle_count);
     for (uint32_t less = 0; less <= 8; less += 8) {
-        board.ram_bytes = (uint32_t)need + RUNNER_OTHER_BYTES - less;
+        board.scene_bytes = (uint32_t)need - less;
         const struct sim_player_setup setup = {.board = &board,
                                                .rotation = board.rotation,
                                                .band_height = board.band_height,

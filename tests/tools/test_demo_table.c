@@ -35,7 +35,7 @@ static struct shown show(const struct board *board, const struct demo *demo)
     struct runner_config config = {.board = board,
                                    .rotation = board->rotation,
                                    .band_height = board->band_height,
-                                   .budget_bytes = runner_budget(board),
+                                   .budget_bytes = board->scene_bytes,
                                    .demo = demo};
     const struct memory_plan plan = memory_plan(&config, demo);
     config.memory_bytes = runner_bytes(&config);
@@ -115,7 +115,7 @@ static struct row row_of(const struct demo *demo)
     struct row row = {{0}, 0};
     uint32_t count = 0;
     for (uint32_t b = 0; b < board_count; b++) {
-        if (board_list[b]->ram_bytes <= PLENTY && count < KITS_MAX) {
+        if (board_list[b]->scene_bytes <= PLENTY && count < KITS_MAX) {
             all[count++] = show(board_list[b], demo);
         }
     }

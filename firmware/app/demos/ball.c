@@ -233,9 +233,8 @@ const struct demo demo_ball = {
     .summary = "a ball reflected inside a view frustum, seen from outside and from its eye",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(MODEL_ROUND8(sizeof(struct ball)) + MODEL_ROUND8(sizeof(struct ph_part)) +
+    .arena_bytes = MODEL_ROUND8(sizeof(struct ball)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2)),
-               5592),
     .vertex_max = MODEL_ICOSPHERE_VERTICES(2),
     .triangle_max = 300,
     .corner_max = 128,

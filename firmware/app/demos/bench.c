@@ -213,14 +213,14 @@ static int fill_frame(struct demo_context *context, struct ph_renderer *r, uint3
     return status ? status : ph_draw_mesh(r, &f->mesh, &ph_xform_identity);
 }
 
-static const struct demo_level torus_coarser = {DEMO_ARENA(TORUS_BYTES(20, 10), 6360), .vertex_max = 200,
-                                                .triangle_max = 220};
+static const struct demo_level torus_coarser = {
+    .arena_bytes = TORUS_BYTES(20, 10), .vertex_max = 200, .triangle_max = 220};
 
 const struct demo demo_torus = {
     .name = "torus",
     .summary = "benchmark 1: a Gouraud torus, 1024 triangles",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(TORUS_BYTES(32, 16), 15720),
+    .arena_bytes = TORUS_BYTES(32, 16),
     .vertex_max = 512,
     .triangle_max = 512,
     .coarser = &torus_coarser,
@@ -233,7 +233,7 @@ const struct demo demo_cube = {
     .name = "cube",
     .summary = "benchmark 2: a textured cube",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(BENCH_BYTES + MODEL_CUBE_BYTES + TEXTURE_TEXELS * sizeof(uint16_t), 9248),
+    .arena_bytes = BENCH_BYTES + MODEL_CUBE_BYTES + TEXTURE_TEXELS * sizeof(uint16_t),
     .vertex_max = 24,
     .triangle_max = 6,
     .init = cube_init,
@@ -244,7 +244,7 @@ const struct demo demo_fill = {
     .name = "fill",
     .summary = "benchmark 3: eight quads that fill the picture, four of them hidden; one plain colour is right",
     .loop_frames = 1,
-    DEMO_ARENA(sizeof(struct fill), 880),
+    .arena_bytes = sizeof(struct fill),
     .vertex_max = 4 * FILL_PARTS,
     .triangle_max = 2 * FILL_PARTS,
     .by_name_only = true, /* on a kit it is one plain colour */
@@ -253,9 +253,13 @@ const struct demo demo_fill = {
 };
 
 static const struct demo_level icosphere_coarser[] = {
-    {DEMO_ARENA(ICOSPHERE_BYTES(3), 19600), .vertex_max = MODEL_ICOSPHERE_VERTICES(3), .triangle_max = 560,
+    {.arena_bytes = ICOSPHERE_BYTES(3),
+     .vertex_max = MODEL_ICOSPHERE_VERTICES(3),
+     .triangle_max = 560,
      .enough_px = 170},
-    {DEMO_ARENA(ICOSPHERE_BYTES(2), 5200), .vertex_max = MODEL_ICOSPHERE_VERTICES(2), .triangle_max = 160,
+    {.arena_bytes = ICOSPHERE_BYTES(2),
+     .vertex_max = MODEL_ICOSPHERE_VERTICES(2),
+     .triangle_max = 160,
      .enough_px = 64},
 };
 
@@ -263,7 +267,7 @@ const struct demo demo_icosphere = {
     .name = "icosphere",
     .summary = "benchmark 4: a sphere of 5120 triangles",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ICOSPHERE_BYTES(4), 77200),
+    .arena_bytes = ICOSPHERE_BYTES(4),
     .vertex_max = MODEL_ICOSPHERE_VERTICES(4),
     .triangle_max = 1900,
     .coarser = icosphere_coarser,
@@ -272,15 +276,17 @@ const struct demo demo_icosphere = {
     .frame = object_frame,
 };
 
-static const struct demo_level ground_coarser = {DEMO_ARENA(GROUND_BYTES(16), 8640),
-                                                 .vertex_max = MODEL_GROUND_VERTICES(16), .triangle_max = 320,
-                                                 .corner_max = 160, .enough_px = 135};
+static const struct demo_level ground_coarser = {.arena_bytes = GROUND_BYTES(16),
+                                                 .vertex_max = MODEL_GROUND_VERTICES(16),
+                                                 .triangle_max = 320,
+                                                 .corner_max = 160,
+                                                 .enough_px = 135};
 
 const struct demo demo_ground = {
     .name = "ground",
     .summary = "benchmark 5: a plain that passes under the camera and meets the near plane",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(GROUND_BYTES(20), 13104),
+    .arena_bytes = GROUND_BYTES(20),
     .vertex_max = 441,
     .triangle_max = 480,
     .corner_max = 224,

@@ -280,23 +280,23 @@ static int character_frame(struct demo_context *context, struct ph_renderer *r, 
 
 /* Up to 47 % of the triangles were listed in any frame: those that face the viewer, and of the shadow the lamp. */
 #define TRIANGLES(s, every) (2 * (s) * (FIGURE_RINGS_DRAWN(every) - 5))
-#define LEVEL(s, every, shadow, ground, down, gaits, on_32)                                                            \
-    DEMO_ARENA(ARENA(s, every, shadow, ground, down, gaits), on_32),                                                   \
-        .vertex_max = ((s) + 1) * FIGURE_RINGS_DRAWN(every) + ((shadow) ? (shadow) + 1 : 0) * FIGURE_RINGS_DRAWN(2) +  \
-                      GROUND_VERTICES(ground),                                                                         \
-        .triangle_max = (TRIANGLES(s, every) + TRIANGLES(shadow, 2)) / 2 + GROUND_TRIANGLES(ground), .corner_max = 24
+#define LEVEL(s, every, shadow, ground, down, gaits)                                                                   \
+    .arena_bytes = ARENA(s, every, shadow, ground, down, gaits),                                                       \
+    .vertex_max = ((s) + 1) * FIGURE_RINGS_DRAWN(every) + ((shadow) ? (shadow) + 1 : 0) * FIGURE_RINGS_DRAWN(2) +      \
+                  GROUND_VERTICES(ground),                                                                             \
+    .triangle_max = (TRIANGLES(s, every) + TRIANGLES(shadow, 2)) / 2 + GROUND_TRIANGLES(ground), .corner_max = 24
 
 static const struct demo_level coarser[LEVELS - 1] = {
-    {LEVEL(10, 1, 5, 16, 1, 2, 23000), .enough_px = 128},
-    {LEVEL(8, 2, 5, 16, 1, 2, 16912), .enough_px = 80},
-    {LEVEL(6, 2, 0, 12, 2, 1, 10360)},
+    {LEVEL(10, 1, 5, 16, 1, 2), .enough_px = 128},
+    {LEVEL(8, 2, 5, 16, 1, 2), .enough_px = 80},
+    {LEVEL(6, 2, 0, 12, 2, 1)},
 };
 
 const struct demo demo_character = {
     .name = "character",
     .summary = "a figure that walks and runs in a circle",
     .loop_frames = LOOP_FRAMES,
-    LEVEL(14, 1, 8, 32, 0, 2, 34832),
+    LEVEL(14, 1, 8, 32, 0, 2),
     .coarser = coarser,
     .coarser_count = LEVELS - 1,
     .init = character_init,

@@ -154,9 +154,8 @@ const struct demo demo_conventions = {
     .name = "conventions",
     .summary = "one camera as OpenGL, Direct3D, LMU and reversed z write it: one picture",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(MODEL_ROUND8(sizeof(struct conventions)) + MODEL_ROUND8(sizeof(struct ph_part)) +
+    .arena_bytes = MODEL_ROUND8(sizeof(struct conventions)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)),
-               5136),
     .vertex_max = 4 * MODEL_TEAPOT_VERTICES(SEGMENTS),
     .triangle_max = 660,
     .init = conventions_init,

@@ -109,17 +109,22 @@ static int fisheye_frame(struct demo_context *context, struct ph_renderer *r, ui
 
 /* For pictures of up to 320 x 240 pixels (a larger one has more pieces), and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA(THING_SIDES, CELLS), 4984), .vertex_max = VERTICES(THING_SIDES, CELLS), .triangle_max = 2640,
+    {.arena_bytes = ARENA(THING_SIDES, CELLS),
+     .vertex_max = VERTICES(THING_SIDES, CELLS),
+     .triangle_max = 2640,
      .corner_max = 2800},
-    {DEMO_ARENA(ARENA(SIDES_FEW, CELLS_FEW), 3080), .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW), .triangle_max = 520,
-     .corner_max = 540, .enough_px = 64},
+    {.arena_bytes = ARENA(SIDES_FEW, CELLS_FEW),
+     .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW),
+     .triangle_max = 520,
+     .corner_max = 540,
+     .enough_px = 64},
 };
 
 const struct demo demo_fisheye = {
     .name = "fisheye",
     .summary = "a room through a fisheye: straight walls, curved edges",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(THING_SIDES, CELLS), 4984),
+    .arena_bytes = ARENA(THING_SIDES, CELLS),
     .vertex_max = VERTICES(THING_SIDES, CELLS),
     .triangle_max = 4200,
     .corner_max = 5200,

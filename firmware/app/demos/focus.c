@@ -107,15 +107,15 @@ static uint32_t focus_band(struct demo_context *context, struct ph_renderer *r, 
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA(SIDES, CELLS), 12800), .vertex_max = VERTICES(SIDES, CELLS), .triangle_max = 824},
-    {DEMO_ARENA(ARENA(SIDES_FEW, CELLS_FEW), 5840), .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW), .triangle_max = 368},
+    {.arena_bytes = ARENA(SIDES, CELLS), .vertex_max = VERTICES(SIDES, CELLS), .triangle_max = 824},
+    {.arena_bytes = ARENA(SIDES_FEW, CELLS_FEW), .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW), .triangle_max = 368},
 };
 
 const struct demo demo_focus = {
     .name = "focus",
     .summary = "a row of skittles through a lens whose focus wanders: depth of field",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(SIDES, CELLS), 12800),
+    .arena_bytes = ARENA(SIDES, CELLS),
     .vertex_max = VERTICES(SIDES, CELLS),
     .triangle_max = 1000,
     .corner_max = 24,

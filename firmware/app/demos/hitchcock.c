@@ -191,11 +191,15 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA_FINE, 14160), .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, 0, CELLS), .triangle_max = 848,
+    {.arena_bytes = ARENA_FINE,
+     .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, 0, CELLS),
+     .triangle_max = 848,
      .enough_px = 135},
-    {DEMO_ARENA(ARENA_KIT, 13288), .vertex_max = VERTICES(TOP_KIT, COLUMN_KIT, PAIRS - NEAR_PAIRS, CELLS),
-     .triangle_max = 620, .enough_px = 135},
-    {DEMO_ARENA(ARENA_FEW, 6520), .vertex_max = VERTICES(TOP_FEW, COLUMN_FEW, 0, CELLS_FEW), .triangle_max = 440},
+    {.arena_bytes = ARENA_KIT,
+     .vertex_max = VERTICES(TOP_KIT, COLUMN_KIT, PAIRS - NEAR_PAIRS, CELLS),
+     .triangle_max = 620,
+     .enough_px = 135},
+    {.arena_bytes = ARENA_FEW, .vertex_max = VERTICES(TOP_FEW, COLUMN_FEW, 0, CELLS_FEW), .triangle_max = 440},
 };
 
 /* ---- zoom ------------------------------------------------------------------------------------------------------ */
@@ -281,16 +285,18 @@ static uint32_t zoom_band(struct demo_context *context, struct ph_renderer *r, u
 
 /* For pictures of kits, of which each half is narrower still, and for little memory. */
 static const struct demo_level zoom_coarser[] = {
-    {DEMO_ARENA(ZOOM_ARENA_KIT, 6480), .vertex_max = ZOOM_VERTICES(TOP_KIT, COLUMN_KIT, ZOOM_PAIRS),
-     .triangle_max = 1130, .enough_px = 135},
-    {DEMO_ARENA(ZOOM_ARENA_FEW, 4992), .vertex_max = ZOOM_VERTICES(TOP_FEW, COLUMN_FEW, ZOOM_FEW), .triangle_max = 520},
+    {.arena_bytes = ZOOM_ARENA_KIT,
+     .vertex_max = ZOOM_VERTICES(TOP_KIT, COLUMN_KIT, ZOOM_PAIRS),
+     .triangle_max = 1130,
+     .enough_px = 135},
+    {.arena_bytes = ZOOM_ARENA_FEW, .vertex_max = ZOOM_VERTICES(TOP_FEW, COLUMN_FEW, ZOOM_FEW), .triangle_max = 520},
 };
 
 const struct demo demo_zoom = {
     .name = "zoom",
     .summary = "zoom beside dolly: the same size of the top, another perspective",
     .loop_frames = ZOOM_LOOP,
-    DEMO_ARENA(ZOOM_ARENA_FINE, 7968),
+    .arena_bytes = ZOOM_ARENA_FINE,
     .vertex_max = ZOOM_VERTICES(TOP_SIDES, COLUMN_SIDES, ZOOM_PAIRS),
     .triangle_max = 1400,
     .coarser = zoom_coarser,
@@ -304,7 +310,7 @@ const struct demo demo_hitchcock = {
     .name = "hitchcock",
     .summary = "dolly out, zoom in: the top keeps its size, the columns behind it do not",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA_FINE, 14160),
+    .arena_bytes = ARENA_FINE,
     .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, 0, CELLS),
     .triangle_max = 1000,
     .corner_max = 40,

@@ -256,15 +256,16 @@ static uint32_t materials_band(struct demo_context *context, struct ph_renderer 
 }
 
 /* For little memory. */
-static const struct demo_level coarser = {DEMO_ARENA(ARENA(LEVELS_FEW, CELLS_FEW), 8584),
-                                          .vertex_max = VERTICES(LEVELS_FEW, CELLS_FEW), .triangle_max = 320,
+static const struct demo_level coarser = {.arena_bytes = ARENA(LEVELS_FEW, CELLS_FEW),
+                                          .vertex_max = VERTICES(LEVELS_FEW, CELLS_FEW),
+                                          .triangle_max = 320,
                                           .corner_max = 160};
 
 const struct demo demo_materials = {
     .name = "materials",
     .summary = "coloured lamps and corners, a fence that is cut out, glass, glow, fog, a badge and text",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(LEVELS, CELLS), 16848),
+    .arena_bytes = ARENA(LEVELS, CELLS),
     .vertex_max = VERTICES(LEVELS, CELLS),
     .triangle_max = 960,
     .corner_max = 256,

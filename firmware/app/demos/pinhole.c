@@ -339,7 +339,7 @@ const struct demo demo_pinhole = {
     .summary = "a pinhole camera: its image upside down behind the hole, upright on any plane before it",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(sizeof(struct pinhole), 1312),
+    .arena_bytes = sizeof(struct pinhole),
     .vertex_max = 2 * CURVES * (SAMPLES + 1),
     .triangle_max = 214,
     .corner_max = 100,

@@ -120,15 +120,15 @@ static int shadow_frame(struct demo_context *context, struct ph_renderer *r, uin
 
 /* vertex_max: each body twice, its shadow, too */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA_SMALL, 17984), .vertex_max = 959, .triangle_max = 1030, .corner_max = 40, .enough_px = 135},
-    {DEMO_ARENA(ARENA_FEW, 8176), .vertex_max = 401, .triangle_max = 480, .corner_max = 24},
+    {.arena_bytes = ARENA_SMALL, .vertex_max = 959, .triangle_max = 1030, .corner_max = 40, .enough_px = 135},
+    {.arena_bytes = ARENA_FEW, .vertex_max = 401, .triangle_max = 480, .corner_max = 24},
 };
 
 const struct demo demo_shadow = {
     .name = "shadow",
     .summary = "shadows of a teapot and a ring by a lamp that circles above them",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA_FINE, 21968),
+    .arena_bytes = ARENA_FINE,
     .vertex_max = 1127,
     .triangle_max = 1280,
     .corner_max = 40,

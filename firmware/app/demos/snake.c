@@ -329,8 +329,8 @@ static const char *const views[] = {"head", "outside", NULL};
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA_FINE, 9024), .vertex_max = VERTICES, .triangle_max = 1060, .corner_max = 96},
-    {DEMO_ARENA(ARENA_FEW, 4288), .vertex_max = 642, .triangle_max = 300, .corner_max = 48},
+    {.arena_bytes = ARENA_FINE, .vertex_max = VERTICES, .triangle_max = 1060, .corner_max = 96},
+    {.arena_bytes = ARENA_FEW, .vertex_max = 642, .triangle_max = 300, .corner_max = 48},
 };
 
 const struct demo demo_snake = {
@@ -338,7 +338,7 @@ const struct demo demo_snake = {
     .summary = "a snake that eats apples, seen from a camera on its head",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA_FINE, 9024),
+    .arena_bytes = ARENA_FINE,
     .vertex_max = VERTICES,
     .triangle_max = 1900,
     .corner_max = 96,

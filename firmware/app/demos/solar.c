@@ -326,8 +326,8 @@ static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA(2), 14280), .vertex_max = VERTICES(2), .triangle_max = 656, .corner_max = 88},
-    {DEMO_ARENA(ARENA(1), 10680), .vertex_max = VERTICES(1), .triangle_max = 300, .corner_max = 48},
+    {.arena_bytes = ARENA(2), .vertex_max = VERTICES(2), .triangle_max = 656, .corner_max = 88},
+    {.arena_bytes = ARENA(1), .vertex_max = VERTICES(1), .triangle_max = 300, .corner_max = 48},
 };
 
 const struct demo demo_solar = {
@@ -335,7 +335,7 @@ const struct demo demo_solar = {
     .summary = "sun, earth and moon as a scene graph, also seen from the earth's centre",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(2), 14280),
+    .arena_bytes = ARENA(2),
     .vertex_max = VERTICES(2),
     .triangle_max = 720,
     .corner_max = 208,

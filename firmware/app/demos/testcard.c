@@ -160,7 +160,7 @@ const struct demo demo_testcard = {
     .name = "testcard",
     .summary = "frame line, corner dots, ring, arrow, colour bars: what is wrong with a panel",
     .loop_frames = 1,
-    DEMO_ARENA(sizeof(struct card), 3816),
+    .arena_bytes = sizeof(struct card),
     .vertex_max = VERTICES,
     .triangle_max = TRIANGLES,
     .init = testcard_init,

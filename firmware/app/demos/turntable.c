@@ -185,17 +185,17 @@ static int turntable_init(struct demo_context *context)
     .triangle_max = LISTED(n) + DEMO_TURNTABLE_TRIANGLES
 
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA(4, FULL_BYTES), 19928), WITH_PLATTER(4), .enough_px = 170},
-    {DEMO_ARENA(ARENA(3, FULL_BYTES), 13088), WITH_PLATTER(3), .enough_px = 135},
-    {DEMO_ARENA(ARENA(2, FULL_BYTES), 8168), WITH_PLATTER(2)},
-    {DEMO_ARENA(ARENA(2, BARE_BYTES), 4536), .vertex_max = MODEL_TEAPOT_VERTICES(2), .triangle_max = LISTED(2)},
+    {.arena_bytes = ARENA(4, FULL_BYTES), WITH_PLATTER(4), .enough_px = 170},
+    {.arena_bytes = ARENA(3, FULL_BYTES), WITH_PLATTER(3), .enough_px = 135},
+    {.arena_bytes = ARENA(2, FULL_BYTES), WITH_PLATTER(2)},
+    {.arena_bytes = ARENA(2, BARE_BYTES), .vertex_max = MODEL_TEAPOT_VERTICES(2), .triangle_max = LISTED(2)},
 };
 
 const struct demo demo_turntable = {
     .name = "turntable",
     .summary = "the teapot, slowly turning in the light",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(SEGMENTS, FULL_BYTES), 28688),
+    .arena_bytes = ARENA(SEGMENTS, FULL_BYTES),
     WITH_PLATTER(SEGMENTS),
     .coarser = coarser,
     .coarser_count = sizeof coarser / sizeof coarser[0],

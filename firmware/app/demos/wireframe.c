@@ -80,14 +80,14 @@ static int wireframe_frame(struct demo_context *context, struct ph_renderer *r, 
      MODEL_EDGES_BYTES(MODEL_TEAPOT_QUAD_EDGES(n)))
 #define LISTED(n) (MODEL_TEAPOT_TRIANGLES(n) * 5 / 8 + MODEL_TEAPOT_QUAD_EDGES(n))
 
-static const struct demo_level coarser = {DEMO_ARENA(ARENA(2), 8120), .vertex_max = 2 * MODEL_TEAPOT_VERTICES(2),
-                                          .triangle_max = LISTED(2)};
+static const struct demo_level coarser = {
+    .arena_bytes = ARENA(2), .vertex_max = 2 * MODEL_TEAPOT_VERTICES(2), .triangle_max = LISTED(2)};
 
 const struct demo demo_wireframe = {
     .name = "wireframe",
     .summary = "the teapot as lines, hidden ones removed",
     .loop_frames = 256,
-    DEMO_ARENA(ARENA(SEGMENTS), 17664),
+    .arena_bytes = ARENA(SEGMENTS),
     .vertex_max = 2 * MODEL_TEAPOT_VERTICES(SEGMENTS),
     .triangle_max = LISTED(SEGMENTS),
     .coarser = &coarser,

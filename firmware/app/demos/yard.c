@@ -129,15 +129,15 @@ static int yard_frame(struct demo_context *context, struct ph_renderer *r, uint3
 #define VERTICES(levels, cells) (48 + 2 * MODEL_ICOSPHERE_VERTICES(levels) + MODEL_GROUND_VERTICES(cells))
 
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA_SOME, 15760), .vertex_max = VERTICES(2, CELLS_SOME), .triangle_max = 700, .corner_max = 100},
-    {DEMO_ARENA(ARENA_FEW, 7264), .vertex_max = VERTICES(1, CELLS_FEW), .triangle_max = 260, .corner_max = 60},
+    {.arena_bytes = ARENA_SOME, .vertex_max = VERTICES(2, CELLS_SOME), .triangle_max = 700, .corner_max = 100},
+    {.arena_bytes = ARENA_FEW, .vertex_max = VERTICES(1, CELLS_FEW), .triangle_max = 260, .corner_max = 60},
 };
 
 const struct demo demo_yard = {
     .name = "yard",
     .summary = "a crate and a turning globe on a plain with a horizon: scenes of the benchmark, dressed up",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA_FINE, 40048),
+    .arena_bytes = ARENA_FINE,
     .vertex_max = VERTICES(3, CELLS),
     .triangle_max = 1750,
     .corner_max = 150,

@@ -208,7 +208,7 @@ const struct demo demo_zfight = {
     .name = "zfight",
     .summary = "pairs of plates at growing distances: where one depth format gives up, and where another",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(sizeof(struct zfight), 8040),
+    .arena_bytes = sizeof(struct zfight),
     .vertex_max = 8 * PAIRS,
     .triangle_max = 4 * PAIRS,
     .init = zfight_init,

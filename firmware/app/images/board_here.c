@@ -1,6 +1,6 @@
 /*
  * What an image is built for: see image.h, hal/port.h and demo.h. firmware.mk compiles this file with -D:
- *   BOARD_HERE   the board's symbol          RAM_BYTES     its ram_bytes (firmware/tools/board_facts.c reads it)
+ *   BOARD_HERE   the board's symbol          MEMORY_BYTES  its scene_bytes (firmware/tools/board_facts.c reads it)
  *   DEMO_HERE    the first demo's symbol     TILES_BYTES   memory for signatures of tiles, or 0
  *   AHEAD_BYTES  memory for the next frame's scene, or 0
  *   IMAGE_BUILD  image_build
@@ -21,7 +21,7 @@ const struct demo *const demo_here = &DEMO_HERE;
 
 const char *const image_build = IMAGE_BUILD;
 
-uint64_t image_memory[(RAM_BYTES - RUNNER_OTHER_BYTES) / sizeof(uint64_t)];
+uint64_t image_memory[MEMORY_BYTES / sizeof(uint64_t)];
 const size_t image_memory_bytes = sizeof image_memory;
 
 uint32_t image_tiles[TILES_BYTES > 0 ? TILES_BYTES / sizeof(uint32_t) : 1];

@@ -234,7 +234,7 @@ static int open(struct runner *runner, struct panel_tiles *tiles)
                                          .rotation = board_here->rotation,
                                          .depth_format = PH_DEPTH_AUTO,
                                          .band_height = board_here->band_height,
-                                         .budget_bytes = runner_budget(board_here),
+                                         .budget_bytes = board_here->scene_bytes,
                                          .other_core = second ? port_core_run : NULL,
                                          .other_core_join = second ? port_core_join : NULL,
                                          .ahead = image_ahead,
