@@ -81,9 +81,9 @@ $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DI
 MAINS := $(wildcard host-sim/*/pinhole_*.c)
 ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
 HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/$(ASSIMP) model/$(ASSIMP:assimp=gltf) picture/$(PNG) picture/$(JPEG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
-# What chips take as accesses to their registers: for emulators and tests, in no image.
-REGISTERS := $(wildcard hal/chips/*.c hal/*/registers_table.c)
-HOST := $(filter-out $(MAINS),$(HOST)) $(REGISTERS)
+# emulate/ has a room a chip. Those of the RP2040 and RP2350 are programs; what chips take as accesses to their registers is for tests, too.
+REGISTERS := host-sim/emulate/registers/registers.c
+HOST := $(filter-out $(MAINS),$(HOST)) $(REGISTERS) $(wildcard host-sim/emulate/*/registers_table.c host-sim/emulate/*/emulate_*.c)
 PROGRAMS := $(patsubst %.c,$(B)/%,$(subst _,-,$(notdir $(if $(SPIDEV),$(MAINS),$(filter-out %/pinhole_panel.c,$(MAINS))))))
 
 # The libraries, in the order in which they are linked: each uses those that come after it.
@@ -111,7 +111,7 @@ rooms = $(patsubst %,-I$(1)/%,$(2))
 INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx geom render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
           $(call rooms,hal,panel rp2040) $(call rooms,host-sim,$(filter-out common,$(ROOMS)) model/assimp model/gltf) $(call rooms,tests,support oracle) $(if $(call have,cmocka),,-Itests/support/bare) $(DRM_CFLAGS)
 INC = $(INC_ALL)
-$(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o: WARN += -Wconversion -Wno-sign-conversion
+$(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o $(B)/host-sim/emulate/%.o: WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)
 $(B)/firmware/core/render/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,render kernels)
 $(B)/firmware/core/effects/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,render kernels)
@@ -130,7 +130,8 @@ $(B)/host-sim/depth/%.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab)
 $(B)/host-sim/depth/depth_budget_measure.%: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,firmware/core,render kernels)
 $(B)/host-sim/depth/depth_layers.% $(B)/host-sim/depth/depth_options.%: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,host-sim,model)
 $(B)/host-sim/flash/%.o: INC = $(INC_HOST) $(call rooms,host-sim,flash)
-$(B)/host-sim/emulate/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
+$(B)/host-sim/emulate/%.o: INC = $(INC_HOST) $(call rooms,host-sim,emulate controllers)
+$(patsubst %,$(B)/host-sim/emulate/%.o,rp2040/% rp2350/% registers/% stm32f4/registers_table lm3s6965/registers_table): INC = -Ihost-sim/emulate # a chip knows neither hal nor firmware
 $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 
 # The core's optimization in kits, in the bench and in `make size` (KIT=1; the default unless CFLAGS are given; frames are the
@@ -209,11 +210,11 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 
 $(B)/tests/hal/test_hal: $(B)/hal/template/template.o # a port, so it is in no library
 
-$(B)/rp2350-emulate: $(call objects,$(wildcard hal/rp2350/emulate/*.c hal/chips/*.c) hal/rp2350/registers_table.c) # for firmware/firmware.mk
+$(B)/rp2350-emulate: $(call objects,$(wildcard host-sim/emulate/rp2350/*.c) $(REGISTERS)) # for firmware/firmware.mk
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@.part && mv $@.part $@
 
-$(B)/rp2040-registers: $(call objects,hal/rp2040/emulate/rp2040_registers.c $(wildcard hal/chips/*.c) hal/rp2040/registers_table.c) # for its emulator, too
+$(B)/rp2040-registers: $(call objects,$(wildcard host-sim/emulate/rp2040/*.c) $(REGISTERS)) # for its emulator, too
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@.part && mv $@.part $@
 
@@ -265,4 +266,4 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
 	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m|rv32 B=build CHECKED=1 V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
 
--include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d) $(patsubst %.c,$(B)/%.d,$(wildcard hal/rp2350/emulate/*.c hal/rp2040/emulate/*.c))
+-include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d) $(patsubst %.c,$(B)/%.d,$(wildcard host-sim/emulate/rp2350/*.c host-sim/emulate/rp2040/*.c))

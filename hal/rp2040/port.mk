@@ -14,8 +14,8 @@ PORT_STACK_EXTRA = 32 # one interrupt puts 8 words on the stack; the handlers ta
 PORT_FINISH = hal/rp2040/boot2_seal.sh '$(HOSTCC)' '$(CROSS)' "$$1"
 UF2_FAMILY = 0xe48bff56
 UF2_BASE = 0x10000000
-EMULATE = B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' hal/rp2040/emulate/emulate.sh
-SPEED = B='$(B)' hal/rp2040/emulate/speed.sh '$(BOARD)'
+EMULATE = B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' host-sim/emulate/emulate_rp2.sh
+SPEED = B='$(B)' host-sim/emulate/speed_rp2.sh '$(BOARD)'
 FLASH = '$(B)/pinhole-flash' $(if $(filter %.phs,$(SCENE)),'$(SCENE)' --at-scene,'$(IMAGE).uf2') $(if $(SERIAL),--serial '$(SERIAL)')
 FLASH_NEEDS = $(B)/pinhole-flash
 $(B)/hal/rp2040/%.o: INC = -Ihal -Ihal/rp2040 # registers.h: the RP2350, which has these sources, too, has its own

@@ -22,9 +22,9 @@ PORT_AHEAD_BYTES = $(if $(filter 2,$(CORES)),53248)
 PORT_STACK_EXTRA = $(if $(filter riscv,$(ISA)),160,32) # an interrupt's registers, and its handler's on RISC-V
 UF2_FAMILY = $(if $(filter riscv,$(ISA)),0xe48bff5a,0xe48bff59)
 UF2_BASE = 0x10000000
-EMULATE = CHIP=rp2350 B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' hal/rp2040/emulate/emulate.sh
+EMULATE = CHIP=rp2350 B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' host-sim/emulate/emulate_rp2.sh
 EMULATE_NEEDS = $(B)/rp2350-emulate
-SPEED = CHIP=rp2350 ISA='$(ISA)' B='$(B)' hal/rp2040/emulate/speed.sh '$(BOARD)'
+SPEED = CHIP=rp2350 ISA='$(ISA)' B='$(B)' host-sim/emulate/speed_rp2.sh '$(BOARD)'
 FLASH = '$(B)/pinhole-flash' $(if $(filter %.phs,$(SCENE)),'$(SCENE)' --at-scene,'$(IMAGE).uf2') $(if $(SERIAL),--serial '$(SERIAL)')
 FLASH_NEEDS = $(B)/pinhole-flash
 $(B)/hal/rp2040/%.o $(B)/hal/rp2350/%.o: INC = -Ihal -Ihal/rp2350/$(or $(ISA),arm) -Ihal/rp2350

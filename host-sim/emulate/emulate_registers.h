@@ -1,5 +1,5 @@
 /*
- * emulate_registers: the accesses in QEMU's trace, and what the chip would say to them (hal/chips/registers.h).
+ * emulate_registers: the accesses in QEMU's trace, and what the chip would say to them (registers/registers.h).
  *
  * QEMU has no unit behind some registers, or less of one: they read 0. The model gives what the chip would: the load
  * reads what was written last, and a store right after it keeps those bits. (A read-modify-write that clears bits there
@@ -8,7 +8,7 @@
 #ifndef EMULATE_REGISTERS_H
 #define EMULATE_REGISTERS_H
 
-#include "chips/registers.h"
+#include "registers/registers.h"
 
 /* What a line of the trace tells of: an interrupt of SysTick, a store, a load or nothing that counts. */
 struct emulate_access {

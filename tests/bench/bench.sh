@@ -39,9 +39,9 @@ core_size() { # core
 # ... of the image of all demos; and the frames a second. The icosphere does not fit in with the others.
 on_rp2040() {
     local cores
-    FIRST_DEMO=fill hal/rp2040/emulate/speed.sh pico-display-2 >"$dir/speed" || grep -q '!' "$dir/speed"
+    FIRST_DEMO=fill host-sim/emulate/speed_rp2.sh pico-display-2 >"$dir/speed" || grep -q '!' "$dir/speed"
     cp "$B/speed/pico-display-2.csv" "$dir/rp2040"
-    hal/rp2040/emulate/speed.sh pico-display-2 6 torus cube ground >"$dir/speed" || grep -q '!' "$dir/speed"
+    host-sim/emulate/speed_rp2.sh pico-display-2 6 torus cube ground >"$dir/speed" || grep -q '!' "$dir/speed"
     tests/bench/rp2040_icosphere.sh >"$dir/icosphere"
     cat "$B/speed/pico-display-2.csv" "$dir/icosphere" >>"$dir/rp2040"
     for cores in 1 2; do

@@ -4,7 +4,7 @@
 # budget, which does not hold that scene whole, so it gets an image of its own, which may take all of the chip's RAM and
 # has the mesh, which the demo makes in RAM, in flash. No triangle is left out, and every frame is pinhole-sim's, or the
 # exit status is 1. That leaves room for three band buffers; the other scenes have five or more.
-# Prints lines as of hal/rp2040/emulate/speed.sh's CSV file, means of frames 2 .. 4, without flash that is as fast as RAM.
+# Prints lines as of host-sim/emulate/speed_rp2.sh's CSV file, means of frames 2 .. 4, without flash that is as fast as RAM.
 # Environment: B, CC.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -31,7 +31,7 @@ fail() {
 }
 
 run() { # folder below $dir for what comes out, options of emulate.mjs
-    BOARD=pico-display-2 CORES=$cores hal/rp2040/emulate/emulate.sh "$elf" "$dir/$1" $frames "${@:2}" >"$dir/$1.said" 2>"$dir/$1.log" ||
+    BOARD=pico-display-2 CORES=$cores host-sim/emulate/emulate_rp2.sh "$elf" "$dir/$1" $frames "${@:2}" >"$dir/$1.said" 2>"$dir/$1.log" ||
         fail "$(tail -n 1 "$dir/$1.log")"
 }
 

@@ -36,7 +36,7 @@ for cores in ${CORES:-1 2}; do
     make -s firmware BOARD_DIR="$dir/kits" BOARD=$board CORES="$cores" APP="$(realpath "$dir")/walker.c" CPPFLAGS="-I$(realpath "$dir") -DWALKER_LIGHT=demo_$light" \
         RAM_CODE=small >"$dir/$cores.made" 2>&1 || fail "no image: $(tail -n 3 "$dir/$cores.made")"
     elf=$B/firmware/$board-walker$([ "$cores" = 1 ] || echo "-cores$cores")-small.elf
-    BOARD=pico-display-2 CORES=$cores hal/rp2040/emulate/emulate.sh "$elf" "$dir/$cores" "$((frames + 2))" --send "$((frames)):HG" \
+    BOARD=pico-display-2 CORES=$cores host-sim/emulate/emulate_rp2.sh "$elf" "$dir/$cores" "$((frames + 2))" --send "$((frames)):HG" \
         --limit-ms 100000 >"$dir/$cores.said" 2>"$dir/$cores.log" || fail "$(tail -n 1 "$dir/$cores.log")"
     grep '^frame [0-9]* crc32' "$dir/$cores.said" | head -n "$frames" | cmp -s "$dir/expected" - || fail "not the picture of this computer"
     grep -q 'left out 0 triangles 0 vertices' "$dir/$cores.log" || fail "$(grep 'left out' "$dir/$cores.log")"

@@ -25,7 +25,7 @@ FILENAME ~ /quality$/ { # S1 torus demo fixed16 0.0033 % 0 0 4.61e-06 5.20e-05 0
     next
 }
 
-FILENAME ~ /rp2040$/ { # speed.sh's CSV file: demo, cores, frames/s, with ideal flash, loads in %, ..
+FILENAME ~ /rp2040$/ { # speed_rp2.sh's CSV file: demo, cores, frames/s, with ideal flash, loads in %, ..
     split($0, word, ",")
     for (s = 1; s <= 5; s++) {
         if (word[1] == demo[s]) {

@@ -13,7 +13,7 @@ rp2040_here() {
     for tool in "arm-none-eabi-gcc gcc-arm-none-eabi" "node nodejs" "npm npm"; do
         command -v "${tool% *}" >/dev/null || { echo "no ${tool% *}: apt-get install ${tool#* }" && exit 77; }
     done
-    hal/rp2040/emulate/emulate.sh --install >/dev/null 2>"$dir/npm" || { cat "$dir/npm" && exit 77; }
+    host-sim/emulate/emulate_rp2.sh --install >/dev/null 2>"$dir/npm" || { cat "$dir/npm" && exit 77; }
 }
 
 image() { # board, cores
@@ -38,7 +38,7 @@ emulate() {
     local board=$1 cores=$2 frames=$3 keys=${4--} options=()
     [ "$keys" = - ] || mapfile -t options < <(letters "$keys")
     rm -rf "$dir/out"
-    BOARD=$board CORES=$cores hal/rp2040/emulate/emulate.sh "$(elf_of "$board" "$cores")" "$dir/out" "$frames" "${options[@]}" "${@:5}" \
+    BOARD=$board CORES=$cores host-sim/emulate/emulate_rp2.sh "$(elf_of "$board" "$cores")" "$dir/out" "$frames" "${options[@]}" "${@:5}" \
         >"$dir/said" 2>"$dir/log"
     local status=$?
     grep '^frame [0-9]* crc32' "$dir/said" >"$dir/seen"
@@ -62,18 +62,18 @@ sweep() {
 
 # The mean of frames 4 .. 6 of the first demo, in us: board, cores, options of emulate.mjs.
 frame_us() {
-    EVENTS_ONLY=1 BOARD=$1 CORES=$2 hal/rp2040/emulate/emulate.sh "$(elf_of "$1" "$2")" "$dir/time" 8 "${@:3}" >/dev/null 2>&1 &&
+    EVENTS_ONLY=1 BOARD=$1 CORES=$2 host-sim/emulate/emulate_rp2.sh "$(elf_of "$1" "$2")" "$dir/time" 8 "${@:3}" >/dev/null 2>&1 &&
         awk '$1 >= 4 && $1 <= 6 { us += $2; n++ } END { printf "%.0f\n", us / n }' "$dir/time/report"
 }
 
 same() { [ "$(wc -l <"$dir/seen")" = "$1" ] && diff "$dir/expected" "$dir/seen"; }
 
-# Runs speed.sh for a board and demos (in the environment CHIP and ISA), and compares its CSV file with the table of this chip in
+# Runs speed_rp2.sh for a board and demos (in the environment CHIP and ISA), and compares its CSV file with the table of this chip in
 # tests/bench/README.md: each rate is within
 # 3 %, and at least 90 % of that with ideal flash; there are rows for N demos. (A rate below 10 is shown with few digits: one
 # more unit of the last is allowed.)
-speed_agrees() { # N, arguments of speed.sh
-    hal/rp2040/emulate/speed.sh "${@:2}" >"$dir/speed" 2>&1 || { cat "$dir/speed" && return 1; }
+speed_agrees() { # N, arguments of speed_rp2.sh
+    host-sim/emulate/speed_rp2.sh "${@:2}" >"$dir/speed" 2>&1 || { cat "$dir/speed" && return 1; }
     speed_as_in tests/bench/README.md "$1" <"$B/speed/$2.csv" || { cat "$dir/speed" && return 1; }
 }
 

@@ -29,7 +29,7 @@ whole_frames() {
     [ $((100 * whole)) -ge $((97 * bus)) ] && [ $((100 * whole)) -le $((103 * bus)) ] && [ $((100 * less)) -le $((85 * bus)) ]
 }
 
-within_the_bar() { IDEAL=0 hal/rp2040/emulate/speed.sh "$1" 2 >"$dir/speed" 2>&1 || { cat "$dir/speed" && return 1; }; }
+within_the_bar() { IDEAL=0 host-sim/emulate/speed_rp2.sh "$1" 2 >"$dir/speed" 2>&1 || { cat "$dir/speed" && return 1; }; }
 
 # Some of the demos, with one core and with two, are as fast as the table in tests/bench/README.md says, and it has all.
 as_in_the_table() { speed_agrees $# pico-display 6 "$@"; }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The boot ROM of an RP2350 of revision A2 starts our images. Its rules are in hal/rp2350/emulate/rom_*.c, written from the
+# The boot ROM of an RP2350 of revision A2 starts our images. Its rules are in host-sim/emulate/rp2350/rom_*.c, written from the
 # datasheet (5.5, 5.9, errata E10, E13, E22) and not from what builds our images. Each UF2 file is taken by its boot loader,
 # and its image draws a first frame, which is the simulator's. Files and images with one mistake are refused, and for that
 # mistake.
@@ -20,7 +20,7 @@ make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" "$B/rp2350-emulate" || exi
 starts_from_uf2() { # board, cores
     image "$1" "$2" || return 1
     elf=$(elf_of "$1" "$2")
-    cp "$elf" "$dir/boot.elf" && cp "${elf%.elf}.uf2" "$dir/boot.bin" && BOARD=$1 CORES=$2 hal/rp2040/emulate/emulate.sh "$dir/boot.elf" "$dir/out" 1 >"$dir/said" 2>"$dir/log" ||
+    cp "$elf" "$dir/boot.elf" && cp "${elf%.elf}.uf2" "$dir/boot.bin" && BOARD=$1 CORES=$2 host-sim/emulate/emulate_rp2.sh "$dir/boot.elf" "$dir/out" 1 >"$dir/said" 2>"$dir/log" ||
         { tail -n 5 "$dir/log" && return 1; }
     grep '^frame [0-9]* crc32' "$dir/said" >"$dir/seen"
     expect "$1" 1 && same 1

@@ -73,7 +73,7 @@ two_buttons_change_the_demo() { # GP12 and GP13, up and down, from frame 2 to 3:
 
 no_chip_select_is_told() {
     mkdir -p "$dir/home" && sed 's/PICO_DISPLAY_PACK/.pins = {.dc = BOARD_PIN(16)}/' "boards/$board/board.c" >"$dir/home/board.c" || return 1
-    ! BOARD=bare BOARD_HOME="$dir/home" hal/rp2040/emulate/emulate.sh "$B/firmware/$board-demos.elf" "$dir/none" 1 2>"$dir/log" || return 1
+    ! BOARD=bare BOARD_HOME="$dir/home" host-sim/emulate/emulate_rp2.sh "$B/firmware/$board-demos.elf" "$dir/none" 1 2>"$dir/log" || return 1
     grep -qx 'emulate: bare: has no chip select (.*' "$dir/log" && [ ! -e "$dir/none" ]
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What an RP2040 image makes of flash chips (hal/rp2040/emulate/flash_chips.mjs): each is read by the fastest read that it
+# What an RP2040 image makes of flash chips (host-sim/emulate/rp2040/flash_chips.mjs): each is read by the fastest read that it
 # tells of and that is safe, and shows the same frames. The model of the SSI objects to what silicon would disregard.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
@@ -43,7 +43,7 @@ bare() { # name, file...
 }
 
 run_bare() { # name, chip, cores
-    EVENTS_ONLY=1 BOARD=$board CORES=${3-1} hal/rp2040/emulate/emulate.sh "$dir/$1.elf" "$dir/out" 1 --flash "$2" --limit-ms 2000 >/dev/null 2>"$dir/log"
+    EVENTS_ONLY=1 BOARD=$board CORES=${3-1} host-sim/emulate/emulate_rp2.sh "$dir/$1.elf" "$dir/out" 1 --flash "$2" --limit-ms 2000 >/dev/null 2>"$dir/log"
 }
 
 ends() { printf '#include "port.h"\nint main(void) { return 0; }\n' >"$dir/$1.c"; }

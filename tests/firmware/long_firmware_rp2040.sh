@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Images for RP2040 kits run on the emulated chip (rp2040js with SPI time, see hal/rp2040/emulate). Frames are pinhole-sim's,
+# Images for RP2040 kits run on the emulated chip (rp2040js with SPI time, see host-sim/emulate/rp2040). Frames are pinhole-sim's,
 # byte for byte, with one core and with two; the wires obey the panel; requests and faults have their effect. Any warning
 # of the emulator fails. tests/firmware/long_boards_rp2040.sh takes every board.
 # shellcheck disable=SC2317 # functions are called by check
@@ -106,7 +106,7 @@ EOT
     local elf=$B/firmware/$board-$1.elf
     [ "$2" = 1 ] || elf=$B/firmware/$board-$1-cores$2.elf
     rm -rf "$dir/out"
-    EVENTS_ONLY=1 BOARD="$board" CORES="$2" hal/rp2040/emulate/emulate.sh "$elf" "$dir/out" 9 --limit-ms 3000 >/dev/null 2>"$dir/log"
+    EVENTS_ONLY=1 BOARD="$board" CORES="$2" host-sim/emulate/emulate_rp2.sh "$elf" "$dir/out" 9 --limit-ms 3000 >/dev/null 2>"$dir/log"
 }
 
 overrun_ends_dark() { # core, cores, C text; the panel is lit until then, and 0.8 s later it is dark for good
@@ -138,14 +138,14 @@ stack_stays_below_its_bound() { # the lowest that a stack pointer was, in the ru
 flipped_bit_in_boot2_is_refused() {
     cp "$B/firmware/$board-demos.elf" "$dir/bad.elf" && cp "$B/firmware/$board-demos.bin" "$dir/bad.bin" &&
         printf '\001' | dd of="$dir/bad.bin" bs=1 seek=200 conv=notrunc status=none
-    BOARD="$board" hal/rp2040/emulate/emulate.sh "$dir/bad.elf" "$dir/out" 1 >"$dir/said" 2>&1 && return 1
+    BOARD="$board" host-sim/emulate/emulate_rp2.sh "$dir/bad.elf" "$dir/out" 1 >"$dir/said" 2>&1 && return 1
     grep -q 'checksum of boot2' "$dir/said"
 }
 
 uf2_is_the_same_image() {
     cp "$B/firmware/$board-demos.elf" "$dir/uf2.elf" && cp "$B/firmware/$board-demos.uf2" "$dir/uf2.bin" # emulate.mjs tells by the magic
     emulate "$board" 1 2 && expect "$board" 2 && same 2 || return 1
-    BOARD="$board" hal/rp2040/emulate/emulate.sh "$dir/uf2.elf" "$dir/out" 2 2>/dev/null | grep '^frame' | diff "$dir/expected" -
+    BOARD="$board" host-sim/emulate/emulate_rp2.sh "$dir/uf2.elf" "$dir/out" 2 2>/dev/null | grep '^frame' | diff "$dir/expected" -
 }
 
 frames_from_ram() { # flash is slow, see rp2040.ld
@@ -160,7 +160,7 @@ frames_from_ram() { # flash is slow, see rp2040.ld
 node_of() { ps -eo pid,args | awk -v dir="$1" '$2 == "node" && index($0, dir) { print $1 }'; }
 
 interrupted() { # no node goes on, nothing half-written stays
-    BOARD="$board" hal/rp2040/emulate/emulate.sh "$B/firmware/$board-demos.elf" "$dir/cut" 1000 >/dev/null 2>"$dir/log" &
+    BOARD="$board" host-sim/emulate/emulate_rp2.sh "$B/firmware/$board-demos.elf" "$dir/cut" 1000 >/dev/null 2>"$dir/log" &
     local script=$! tries=0
     until [ -s "$dir/cut/events" ] || [ $((tries++)) = 6000 ]; do sleep 0.1; done
     [ -n "$(node_of "$dir/cut")" ] && kill "$script" && ! wait "$script" || return 1

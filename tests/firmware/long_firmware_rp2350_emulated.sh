@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Images for a Pico 2 run on the emulated RP2350 (hal/rp2350/emulate). Frames are pinhole-sim's, byte for byte, with one
+# Images for a Pico 2 run on the emulated RP2350 (host-sim/emulate/rp2350). Frames are pinhole-sim's, byte for byte, with one
 # core and with two; the wires obey the panel; requests and faults have their effect. Any complaint of the emulator fails,
 # and what an image must not do is complained about. tests/firmware/long_firmware_rp2350.sh takes every board.
 # shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { cat; return 1; }` says why it fails
@@ -103,7 +103,7 @@ check "words_that_are_not_aligned" complains 'words at 20000002 with an instruct
 check "a_write_into_flash" complains 'where no RAM is' <<<'store 0x10000100, 1'
 check "an_empty_FIFO_between_the_cores" complains 'core 0 read an empty FIFO' <<<'ldr r0, =0xd0000058; ldr r0, [r0]'
 check "a_call_of_Arm_code" complains 'which is no Thumb code' <<<'ldr r0, =0x10000000; bx r0'
-# ---- and what silicon does not take: hal/chips ---------------------------------------------------
+# ---- and what silicon does not take: host-sim/emulate/registers -----------------------------------
 check "a_PLL_out_of_its_range" complains 'PLL_SYS FBDIV_INT (40050008) = 000000a0: FBDIV_INT: the effect of a0 is not known' <<<"$crystal; store 0x40050008, 160"
 check "a_PLL_whose_crystal_is_not_stable" complains 'PLL_SYS PWR (40053004) = 00000021: the crystal was not seen' <<<'store 0x40050008, 125; store 0x40053004, 0x21'
 check "a_block_in_reset" complains 'SPI0 SSPCR1 (40080004) = 00000000: the block is in reset' <<<'store 0x40022000, 0x40000; store 0x40080004, 0'

@@ -1,9 +1,9 @@
 // node rp2040_cycles.mjs MODULES IMAGE.bin CHIP ADDRESS...    for test_rp2040_cycles.sh
-// Runs an image in hal/rp2040/emulate until core 0 has come to each address (hexadecimal) in turn, and prints the cycles
+// Runs an image in host-sim/emulate/rp2040 until core 0 has come to each address (hexadecimal) in turn, and prints the cycles
 // between them. CHIP is the flash, of flash_chips.mjs.
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
-import { makeMachine } from '../../hal/rp2040/emulate/machine.mjs';
+import { makeMachine } from '../../host-sim/emulate/rp2040/machine.mjs';
 
 const [modules, image, chip, ...addresses] = process.argv.slice(2);
 const lib = {};

@@ -12,7 +12,7 @@ MOMENTS=${MOMENTS:-2}
 board=${SCENE_BOARD:-pico-display}
 offset=$((0x80000))
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
-hal/rp2040/emulate/emulate.sh --install 2>/dev/null || { echo "no rp2040js: needs node, npm and its registry" && exit 77; }
+host-sim/emulate/emulate_rp2.sh --install 2>/dev/null || { echo "no rp2040js: needs node, npm and its registry" && exit 77; }
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 make -s -j2 B="$B" "$B/pinhole-asset" "$B/pinhole-sim" "$B/pinhole-wire" || exit 1
@@ -28,7 +28,7 @@ erased() { head -c "$1" /dev/zero | tr '\0' '\377'; }
 emulate() { # scene, frames: what the image says, and the frames' checksums
     local image="$B/firmware/$board-demos.bin"
     { cat "$image" && erased $((offset - $(stat -c %s "$image"))) && cat "$1"; } >"$dir/a.bin"
-    B=$B BOARD=$board CORES=1 hal/rp2040/emulate/emulate.sh "$dir/a.elf" "$dir/out" "$2" 2>&1
+    B=$B BOARD=$board CORES=1 host-sim/emulate/emulate_rp2.sh "$dir/a.elf" "$dir/out" "$2" 2>&1
 }
 
 draws_the_simulators_frames() { # scene, demo's name: and they differ

@@ -38,7 +38,7 @@ runs() { # list, board and variables of make
     fi
 }
 
-# A register is named with its address, as hal/chips does; an emulator says when it objects; a panel's command is named.
+# A register is named with its address, as host-sim/emulate/registers does; an emulator says when it objects; a panel's command is named.
 objection() { # list
     if [ "$1" = panels ]; then
         grep -E '\b[0-9A-Fa-f]{2}h\b|command' run.log

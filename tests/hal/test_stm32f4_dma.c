@@ -1,7 +1,8 @@
 /*
  * The STM32F405's start and its bus on a model of its registers: QEMU's chip has no crystal, no PLL and no DMA, so that
  * there the port stays at 16 MHz and writes byte by byte. The model looks at the registers before each access: it sends
- * what a DMA stream is to send, watches D/C, and tells the chip's table (hal/stm32f4/registers_table.c) of the access.
+ * what a DMA stream is to send, watches D/C, and tells the chip's table (host-sim/emulate/stm32f4/registers_table.c) of
+ * the access.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,7 +13,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "chips/registers.h"
+#include "registers/registers.h"
 
 /* The port's own file, with these in place of cortexm/start.h, and without the jump into the boot loader. */
 #define CORTEXM_START_H

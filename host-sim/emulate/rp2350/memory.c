@@ -72,7 +72,7 @@ static void block_write(struct chip *chip, uint32_t block, uint32_t offset, uint
     }
 }
 
-/* Whether the chip takes an access, of which the line of hal/chips complains; NULL: it does. */
+/* Whether the chip takes an access, of which the line of registers/ complains; NULL: it does. */
 static bool takes(struct core *core, const char *line)
 {
     if (line != NULL) {

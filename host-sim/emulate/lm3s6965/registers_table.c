@@ -1,10 +1,10 @@
 /*
- * What an LM3S6965 takes from its port (hal/chips/registers.h). Sources are the chapters of its data sheet, and the
+ * What an LM3S6965 takes from its port (registers/registers.h). Sources are the chapters of its data sheet, and the
  * PL022's and PL011's manuals (ARM DDI 0194, DDI 0183) where the data sheet has their text.
  *
  * Ranges of values are those whose effect the port counts on: a crystal of 8 MHz makes 50 MHz.
  */
-#include "cortexm/registers_scs.h"
+#include "registers/registers_scs.h"
 
 /* ---- system control --------------------------------------------------------------------------------- */
 

@@ -1,5 +1,5 @@
 /*
- * What the RP2040 takes as accesses to its registers; see hal/chips/registers.h. Sections are those of the RP2040
+ * What the RP2040 takes as accesses to its registers; see registers/registers.h. Sections are those of the RP2040
  * datasheet (Raspberry Pi Ltd), and B3 those of the ARMv6-M Architecture Reference Manual (DDI 0419).
  */
 #define S(rp2040, rp2350) rp2040
@@ -20,7 +20,7 @@
 #define VREG_BASE       0x40064000
 #define SSI_BASE        0x18000000
 
-#include "rp2040/rows.h"
+#include "registers/rp2_rows.h"
 
 #define SSI(offset)   (SSI_BASE + (offset))
 #define WATCHDOG_TICK (WATCHDOG_BASE + 0x2c)
@@ -96,7 +96,7 @@ static const struct register_field dma_control_fields[] = {
         .why = "SELECTED did not say that clk_sys, of which clk_peri is made, comes from the PLL"                      \
     }
 
-#include "rp2040/peripherals_rows.h"
+#include "registers/rp2_peripherals_rows.h"
 
 static const struct register_field tick_fields[] = {
     {"CYCLES", 0, 9, 12, 12, "a tick is 1 us"},

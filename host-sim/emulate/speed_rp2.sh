@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Usage: speed.sh BOARD [POINTS [DEMO...]]
+# Usage: speed_rp2.sh BOARD [POINTS [DEMO...]]
 # Prints frames/s of every demo on an emulated RP2040 board, or with CHIP=rp2350 (and ISA=arm|riscv) on an RP2350's, with one core and with two, as rows of a Markdown table, each as
 # soon as its demo has been drawn. "ideal flash" is the rate if flash were as fast as RAM; load is that of each core (core 0
 # sleeps while core 1 finishes its half); sent are the bytes of a frame, where a whole one is 1.00 (more: the commands of windows);
@@ -12,7 +12,7 @@
 # Environment: FIRST_DEMO (only that one, in an image that begins with it: fill, which no button reaches), B (build directory), CHANGES=0 (whole frames), CORES ("1 2"), IDEAL=0 (flash as it is only).
 # Leaves $B/speed/BOARD.csv, and the same as JSON in $B/speed/BOARD.json. `make speed BOARD=x` calls it.
 set -eu
-cd "$(dirname "$0")/../../.."
+cd "$(dirname "$0")/../.."
 export B=${B:-build} BOARD=$1 EVENTS_ONLY=1
 points=${2:-6}
 shift $(($# > 2 ? 2 : $#))
@@ -26,7 +26,7 @@ trap leave EXIT
 trap 'exit 1' INT TERM HUP
 echo "speed: $BOARD, ${*:-all demos}: some minutes" >&2
 make -s B="$B" "$B/pinhole-sim" "$B/pinhole-wire" >&2 # what the emulators share, because they run at the same time
-hal/rp2040/emulate/emulate.sh --install
+host-sim/emulate/emulate_rp2.sh --install
 
 # Writes `first frame, frames, name` of the demos that fit, for the button passes over the others, and `frame, demo` of the
 # frames that count. A demo that was not asked for gets two frames, because a button that is held selects only once. The last
@@ -70,7 +70,7 @@ for cores in ${CORES:-1 2}; do
         flag=()
         [ "$flash" = real ] || flag=(--free-flash)
         mkdir "$dir/$cores-$flash"
-        CORES=$cores hal/rp2040/emulate/emulate.sh "$elf" "$dir/$cores-$flash" "$((frame + 1))" "${options[@]}" "${flag[@]}" \
+        CORES=$cores host-sim/emulate/emulate_rp2.sh "$elf" "$dir/$cores-$flash" "$((frame + 1))" "${options[@]}" "${flag[@]}" \
             --events /dev/null --limit-ms 1000000 >/dev/null 2>"$dir/$cores-$flash/log" &
         children+=($!)
     done

@@ -1,11 +1,11 @@
 /*
  * registers: what a chip takes as accesses to its registers, and a model that refuses all else.
  *
- * A port has a table (hal/CHIP/registers_table.c): a row for each register that it writes or reads, with the bits that
- * exist, the values whose effect is known, when it may be written, and the document that says so. The emulators tell a
- * struct registers of every access; it keeps what was written and read, and says what silicon would not take. Emulators
- * themselves forgive much: a write while a unit is on, a unit that is in reset or has no clock, a reserved bit, a wait
- * that is missing.
+ * A port has a table (host-sim/emulate/CHIP/registers_table.c): a row for each register that it writes or reads, with
+ * the bits that exist, the values whose effect is known, when it may be written, and the document that says so. The
+ * emulators tell a struct registers of every access; it keeps what was written and read, and says what silicon would
+ * not take. Emulators themselves forgive much: a write while a unit is on, a unit that is in reset or has no clock, a
+ * reserved bit, a wait that is missing.
  *
  * The tables are for emulators and tests; no image has them.
  */
@@ -84,7 +84,7 @@ struct register_chip {
 
 #define REGISTER_LIST(list) (list), sizeof(list) / sizeof *(list)
 
-/* hal/CHIP/registers_table.c */
+/* CHIP/registers_table.c */
 extern const struct register_chip rp2040_registers, rp2350_registers, stm32f4_registers, lm3s6965_registers;
 
 struct registers;

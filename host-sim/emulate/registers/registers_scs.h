@@ -1,11 +1,11 @@
 /*
- * registers_scs: the rows that the tables of Cortex-M3 and M4 chips share (hal/chips/registers.h): SysTick, system
+ * registers_scs: the rows that the tables of Cortex-M3 and M4 chips share (registers/registers.h): SysTick, system
  * control and MPU, which start.c writes. Source: ARMv7-M Architecture Reference Manual, ARM DDI 0403E.
  */
-#ifndef CORTEXM_REGISTERS_SCS_H
-#define CORTEXM_REGISTERS_SCS_H
+#ifndef REGISTERS_SCS_H
+#define REGISTERS_SCS_H
 
-#include "chips/registers.h"
+#include "registers/registers.h"
 
 #define SCS_AT(offset) (0xE000E000u + (offset))
 

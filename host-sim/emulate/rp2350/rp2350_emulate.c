@@ -9,7 +9,7 @@
 static const char help[] =
     "rp2350-emulate IMAGE.bin|IMAGE.uf2 --dc PIN [options]\n"
     "Runs an image of an RP2350 board and writes the events on its wires. The options are those of\n"
-    "hal/rp2040/emulate/emulate.mjs: --frames N, --events FILE, --report FILE, --cores 1|2, --dc PIN, --select PIN,\n"
+    "host-sim/emulate/rp2040/emulate.mjs: --frames N, --events FILE, --report FILE, --cores 1|2, --dc PIN,\n"
     "--press FRAME:PINS, --charge US, --send FRAME:TEXT, --fault FRAME, --calls ADDRESSES, --jump FRAME:N, --delays "
     "SEED,\n"
     "--chip NAME=N,.., --free-wire, --free-flash, --limit-ms N. Also --flash "

@@ -1,15 +1,15 @@
 /*
- * peripherals_rows: the registers that the RP2040 and the RP2350 have in common, as rows of their tables
+ * rp2_peripherals_rows: the registers that the RP2040 and the RP2350 have in common, as rows of their tables
  * (registers_table.c). A row's source is a section of the chip's own datasheet; DDI 0183 is Arm's manual of the PL011,
  * DDI 0194 that of the PL022.
  *
  * What differs the chip's table says before it includes this: S(rp2040, rp2350) takes the chip's one of two texts; the
  * others are its bits, offsets, fields and needs.
  */
-#ifndef RP2040_PERIPHERALS_ROWS_H
-#define RP2040_PERIPHERALS_ROWS_H
+#ifndef RP2_PERIPHERALS_ROWS_H
+#define RP2_PERIPHERALS_ROWS_H
 
-#include "rp2040/rows.h"
+#include "registers/rp2_rows.h"
 
 /* ---- resets ------------------------------------------------------------------------------------------------------ */
 

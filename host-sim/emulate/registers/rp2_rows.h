@@ -1,12 +1,12 @@
 /*
- * rows: what the tables of the RP2040 and the RP2350 are written with (registers_table.c, peripherals_rows.h).
+ * rp2_rows: what the tables of the RP2040 and the RP2350 are written with (registers_table.c, rp2_peripherals_rows.h).
  * Addresses and bits stand here and in the tables a second time: the tables would not see a wrong one in the ports'
  * headers if they took them from there. The chip's table has defined its base addresses before.
  */
-#ifndef RP2040_ROWS_H
-#define RP2040_ROWS_H
+#ifndef RP2_ROWS_H
+#define RP2_ROWS_H
 
-#include "chips/registers.h"
+#include "registers/registers.h"
 
 #define RESETS_RESET               RESETS_BASE
 #define RESETS_RESET_DONE          (RESETS_BASE + 0x08)

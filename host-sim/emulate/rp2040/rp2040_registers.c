@@ -1,9 +1,9 @@
 /*
  * Usage: rp2040-registers <ACCESSES
- * Checks accesses to an RP2040's registers, which accesses.mjs writes, by hal/chips. Ends at the first that silicon
+ * Checks accesses to an RP2040's registers, which accesses.mjs writes, by registers/. Ends at the first that silicon
  * would not take, with a line that says why, and exit status 1.
  */
-#include "chips/registers.h"
+#include "registers/registers.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -23,7 +23,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "chips/registers.h"
+#include "registers/registers.h"
 
 #define ROM_BYTES   0x8000
 #define RAM_BASE    0x20000000

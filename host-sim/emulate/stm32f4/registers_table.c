@@ -1,10 +1,10 @@
 /*
- * What an STM32F405 takes from its port (hal/chips/registers.h). Sections are those of RM0090. What the chip's
+ * What an STM32F405 takes from its port (registers/registers.h). Sections are those of RM0090. What the chip's
  * errata sheet (ES0182) and data sheet say is named so.
  *
  * Ranges of values are those whose effect the port counts on: a crystal of 12 MHz makes 168 MHz, APB1 has a quarter.
  */
-#include "cortexm/registers_scs.h"
+#include "registers/registers_scs.h"
 
 #define RCC   0x40023800u
 #define GPIO  0x40020000u

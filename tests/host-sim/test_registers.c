@@ -1,6 +1,7 @@
 /*
- * The model of hal/chips on a chip that is made up: each need, field, kind, alias and number of registers is asked
- * for and refused. And the tables of the real chips are whole: no need asks for a register that is not there.
+ * The model of host-sim/emulate/registers on a chip that is made up: each need, field, kind, alias and number of
+ * registers is asked for and refused. And the tables of the real chips are whole: no need asks for a register that is
+ * not there.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -9,7 +10,7 @@
 
 #include <string.h>
 
-#include "chips/registers.h"
+#include "registers/registers.h"
 
 enum { UNIT = 0x40000000, CONTROL = UNIT, SET_UP = UNIT + 4, STATUS = UNIT + 8, DATA = UNIT + 12, LIST = UNIT + 0x20 };
 enum { OTHER = 0x50000000, RESET = 0x60000000, DONE = RESET + 4 };

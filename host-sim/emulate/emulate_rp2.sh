@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Usage: emulate.sh IMAGE.elf DIR FRAMES [option of emulate.mjs ...] | --install
-# Runs an image of an RP2040 board in rp2040js, or with CHIP=rp2350 of an RP2350 board in hal/rp2350/emulate. pinhole-wire
+# Usage: emulate_rp2.sh IMAGE.elf DIR FRAMES [option of emulate.mjs ...] | --install
+# Runs an image of an RP2040 board in rp2040js, or with CHIP=rp2350 of an RP2350 board in host-sim/emulate/rp2350. pinhole-wire
 # makes its frames, DIR/frame-NNNN.ppm, from the chip's wires.
 # Prints their checksums and how fast they came. DIR/events and DIR/report stay (see emulate.mjs). An access to a register
-# that silicon would not take (hal/chips) ends it.
+# that silicon would not take (registers/) ends it.
 # An RP2040 needs node and npm. npm gets rp2040js (package.json has the version) into the build directory; --install does
 # only that.
 # Environment: B (build directory), BOARD, BOARD_HOME, CORES (of the chip; 2), EVENTS_ONLY=1 (no pictures), HOSTCC.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-cd "$here/../../.."
+cd "$here/../.."
 B=${B:-build}
 
 stop() {
@@ -31,10 +31,10 @@ trap 'stop interrupted' INT TERM HUP
 install_rp2040js() {
     command -v node >/dev/null || stop "no node here: apt-get install nodejs"
     modules=$B/rp2040js
-    if ! cmp -s "$here/package.json" "$modules/package.json" || [ ! -e "$modules/node_modules/rp2040js/package.json" ]; then
+    if ! cmp -s "$here/rp2040/package.json" "$modules/package.json" || [ ! -e "$modules/node_modules/rp2040js/package.json" ]; then
         command -v npm >/dev/null || stop "no npm here: apt-get install npm"
         new=$(mktemp -d)
-        cp "$here/package.json" "$new/"
+        cp "$here/rp2040/package.json" "$new/"
         timeout 120 npm install --prefix "$new" --no-package-lock --ignore-scripts --no-audit --no-fund --fetch-retries=1 \
             >"$new/log" 2>&1 || stop "npm did not get rp2040js: $(grep -m1 'npm.*ERR\|npm error' "$new/log")"
         rm -rf "$modules" && mkdir -p "$modules"
@@ -46,11 +46,11 @@ if [ "${CHIP-}" = rp2350 ]; then
     env -u BOARD make -s B="$B" "${emulator[@]}" >&2
 else
     install_rp2040js
-    emulator=(node "$here/emulate.mjs" --modules "$modules/node_modules")
+    emulator=(node "$here/rp2040/emulate.mjs" --modules "$modules/node_modules")
     env -u BOARD make -s B="$B" "$B/rp2040-registers" >&2
 fi
 [ "$1" != --install ] || exit 0
-[ $# -ge 3 ] || stop "IMAGE.elf DIR FRAMES are wanted: see the head of $here/emulate.sh"
+[ $# -ge 3 ] || stop "IMAGE.elf DIR FRAMES are wanted: see the head of $here/emulate_rp2.sh"
 elf=$1 out=$2 frames=$3
 shift 3
 [ -x "$B/pinhole-wire" ] || make -s B="$B" "$B/pinhole-wire" >&2

@@ -1,5 +1,5 @@
 /*
- * What the RP2350 takes as accesses to its registers; see hal/chips/registers.h. Sections are those of the RP2350
+ * What the RP2350 takes as accesses to its registers; see registers/registers.h. Sections are those of the RP2350
  * datasheet (Raspberry Pi Ltd), and B11 those of the ARMv8-M Architecture Reference Manual (DDI 0553).
  */
 #define S(rp2040, rp2350) rp2350
@@ -23,7 +23,7 @@
 #define POWMAN_BASE     0x40100000
 #define TICKS_BASE      0x40108000
 
-#include "rp2040/rows.h"
+#include "registers/rp2_rows.h"
 
 #define TICKS_TIMER0_CTRL     (TICKS_BASE + 0x18)
 #define TICKS_TIMER0_CYCLES   (TICKS_BASE + 0x1c)
@@ -102,7 +102,7 @@ static const struct register_field dma_control_fields[] = {
      IS(CLK_PERI_CTRL, PERI_ENABLE, 0),                                                                                \
      .why = "clk_peri is on, and may come from the PLL"},
 
-#include "rp2040/peripherals_rows.h"
+#include "registers/rp2_peripherals_rows.h"
 
 static const struct register_when pll_usb_off_when[] = PLL_OFF_WHEN(PLL_USB_BASE);
 static const struct register_when pll_usb_pwr_when[] = PLL_PWR_WHEN(PLL_USB_BASE);
