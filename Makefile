@@ -109,7 +109,7 @@ INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
 INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common -Ihost-sim/picture
 rooms = $(patsubst %,-I$(1)/%,$(2))
 INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx geom render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
-          $(call rooms,hal,panel rp2040) $(call rooms,host-sim,$(filter-out common,$(ROOMS)) model/assimp model/gltf) $(call rooms,tests,support oracle) $(if $(call have,cmocka),,-Itests/support/bare) $(DRM_CFLAGS)
+          $(call rooms,hal,panel chips/rp2 rp2040) $(call rooms,host-sim,$(filter-out common,$(ROOMS)) model/assimp model/gltf) $(call rooms,tests,support oracle) $(if $(call have,cmocka),,-Itests/support/bare) $(DRM_CFLAGS)
 INC = $(INC_ALL)
 $(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o $(B)/host-sim/emulate/%.o: WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)

@@ -23,8 +23,8 @@
 #   PORT_FLAGS        for compiler and linker: -mcpu=... -mthumb
 #   PORT_CROSS        optional: the prefix of the compiler's name; without it arm-none-eabi-
 #   PORT_LIBS         optional: what is linked last; without it --specs=nano.specs
-#   PORT_SRC          its .c and .S files, and those of a shared folder, e.g. hal/cortexm
-#   PORT_LD           the linker script; it finds what it includes in hal/PORT and hal/cortexm
+#   PORT_SRC          its .c and .S files, and those of a shared folder, e.g. hal/chips/cortexm
+#   PORT_LD           the linker script; it finds what it includes in hal/PORT and hal/chips/cortexm
 #   PORT_STACK_EXTRA  stack that the call graph does not show: frames of interrupts. The linker script gets the symbol
 #                     stack_bytes: what the call graph's deepest path takes, and this
 #   PORT_AHEAD_BYTES  optional: memory in which a second core makes the scene of the next frame
@@ -143,7 +143,7 @@ speed: ## BOARD=x of an RP2040 or RP2350: frames/s and load of each core for eve
 ifneq ($(OUT),)
 IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/panel/*.c) $(PORT_SRC) $(PORT_INFO) $(BOARD_HOME)/board.c
 IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
-LD_SEARCH := -L hal/$(PORT) -L hal/$(PORT)/$(RAM_CODE) -L hal/cortexm
+LD_SEARCH := -L hal/$(PORT) -L hal/$(PORT)/$(RAM_CODE) -L hal/chips/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
 	$(Q)CROSS='$(CROSS)' firmware/tools/budget.sh '$(OUT).elf' '$(BOARD)' flash="$$(($(IMAGE_FLASH_BYTES)))" ram="$$($(B)/board-facts image_ram $(CORES))" \
@@ -190,7 +190,7 @@ $(STACK): $(IMAGE_OBJ) firmware/tools/stack.sh firmware/tools/stack.awk
 
 UF2_ELF := $(if $(UF2_APP_BASE),$(B)/uf2-$(notdir $(OUT)).elf,$(OUT).elf)
 $(filter-out $(OUT).elf,$(UF2_ELF)): $(OUT).elf
-$(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(STACK) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/$(RAM_CODE)/*.ld)
+$(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(STACK) $(PORT_LD) $(wildcard hal/chips/cortexm/*.ld hal/$(PORT)/$(RAM_CODE)/*.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
 	$(Q)firmware/tools/link.sh '$@' '$(@:.elf=.map)' $(CC) $(CFLAGS) -nostartfiles $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \

@@ -33,7 +33,7 @@ struct board_button {
 #define BOARD_BUTTONS_MAX 6
 
 /* What makes the bus clock, see chips/spi_clock.h. ANY: unknown, or every clock that is asked for. */
-enum board_spi_unit { BOARD_SPI_ANY, BOARD_SPI_RP2040, BOARD_SPI_LM3S6965, BOARD_SPI_STM32F4 };
+enum board_spi_unit { BOARD_SPI_ANY, BOARD_SPI_RP2, BOARD_SPI_LM3S6965, BOARD_SPI_STM32F4 };
 
 /*
  * How the flash is read that an RP2040 or RP2350 runs from. AUTOMATIC: the fastest read that the flash tells of. HALF:

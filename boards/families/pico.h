@@ -11,7 +11,7 @@
 
 /* Pimoroni's packs: keys A, B, X, Y are up, down, left, right. The panel's reset follows the Pico's RUN. */
 #define PICO_PIMORONI                                                                                                  \
-    .spi_unit = BOARD_SPI_RP2040, .spi_bus = 0, .spi_mode = 3,                                                         \
+    .spi_unit = BOARD_SPI_RP2, .spi_bus = 0, .spi_mode = 3,                                                            \
     .pins = {.clock = BOARD_PIN(18),                                                                                   \
              .data = BOARD_PIN(19),                                                                                    \
              .select = BOARD_PIN_LOW(17),                                                                              \
@@ -25,7 +25,7 @@
 
 /* Waveshare's; the number of the backlight's pin differs. */
 #define PICO_WAVESHARE(backlight_pin)                                                                                  \
-    .spi_unit = BOARD_SPI_RP2040, .spi_bus = 1, .spi_mode = 3,                                                         \
+    .spi_unit = BOARD_SPI_RP2, .spi_bus = 1, .spi_mode = 3,                                                            \
     .pins = {.clock = BOARD_PIN(10),                                                                                   \
              .data = BOARD_PIN(11),                                                                                    \
              .select = BOARD_PIN_LOW(9),                                                                               \

@@ -33,9 +33,9 @@ BEGIN {
     each = "firmware/core/render/mesh\\.c:each_share(\\..*)?$" # core 0 takes it only while the runner waits for a scene
     rule("firmware/app/runner\\.c:", each)
     rule("firmware/core/render/mesh\\.c:", each)
-    rule("hal/[a-z0-9]+/cores2\\.c:serve$", "firmware/app/runner\\.c:make_ahead$")
-    rule("hal/[a-z0-9]+/cores2\\.c:serve$", each)
-    rule("hal/[a-z0-9]+/cores2\\.c:serve$", "hal/rp2[0-9]*/flash\\.c:stay$")
+    rule("hal/[a-z0-9]+/[a-z0-9_/]*cores2\\.c:serve$", "firmware/app/runner\\.c:make_ahead$")
+    rule("hal/[a-z0-9]+/[a-z0-9_/]*cores2\\.c:serve$", each)
+    rule("hal/[a-z0-9]+/[a-z0-9_/]*cores2\\.c:serve$", "hal/rp2[0-9]*/flash\\.c:stay$")
     rule("firmware/core/render/bands\\.c:", "firmware/core/render/blended\\.c:ph_draw_blended$", shared)
     rule("firmware/core/render/b[a-z]*\\.c:", "firmware/core/render/fog\\.c:fog_share$")
     rule("firmware/core/render/show\\.c:", "[:_]flush$") # the callback of ph_show: name it so, or ..._flush

@@ -10,7 +10,7 @@
 
 #include "board.h"
 
-#define SPI_CLOCK_RP2040_HZ   125000000U /* clk_peri */
+#define SPI_CLOCK_RP2_HZ      125000000U /* clk_peri */
 #define SPI_CLOCK_LM3S6965_HZ 50000000U  /* the CPU's */
 #define SPI_CLOCK_STM32F4_HZ  42000000U  /* APB1 */
 
@@ -48,8 +48,8 @@ static inline uint32_t spi_clock_of(const struct board *board, uint32_t hz)
 {
     uint32_t br = 0;
     switch (board->spi_unit) {
-    case BOARD_SPI_RP2040:
-        return spi_clock_pl022(SPI_CLOCK_RP2040_HZ, hz).hz;
+    case BOARD_SPI_RP2:
+        return spi_clock_pl022(SPI_CLOCK_RP2_HZ, hz).hz;
     case BOARD_SPI_LM3S6965:
         return spi_clock_pl022(SPI_CLOCK_LM3S6965_HZ, hz).hz;
     case BOARD_SPI_STM32F4:
@@ -61,13 +61,13 @@ static inline uint32_t spi_clock_of(const struct board *board, uint32_t hz)
 
 /*
  * The pauses of a write of n bytes, in half periods of the clock: in mode 0 a PL022 raises its own select line for 1.5
- * periods after each word (PrimeCell SSP DDI 0194, Motorola SPI format with SPH = 0). hal/rp2040 sends writes that it
- * does not copy as words of 16 bits.
+ * periods after each word (PrimeCell SSP DDI 0194, Motorola SPI format with SPH = 0). hal/chips/rp2 sends writes that
+ * it does not copy as words of 16 bits.
  */
 static inline uint32_t spi_clock_pause(const struct board *board, uint32_t n)
 {
-    const bool pl022 = board->spi_unit == BOARD_SPI_RP2040 || board->spi_unit == BOARD_SPI_LM3S6965;
-    const bool wide = board->spi_unit == BOARD_SPI_RP2040 && n > HAL_COPIED && n % 2 == 0;
+    const bool pl022 = board->spi_unit == BOARD_SPI_RP2 || board->spi_unit == BOARD_SPI_LM3S6965;
+    const bool wide = board->spi_unit == BOARD_SPI_RP2 && n > HAL_COPIED && n % 2 == 0;
     return pl022 && board->spi_mode == 0 ? 3 * (wide ? n / 2 : n) : 0;
 }
 

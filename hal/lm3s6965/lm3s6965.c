@@ -7,7 +7,7 @@
 #include "port.h"
 #include "chips/pl011.h"
 #include "chips/spi_clock.h"
-#include "cortexm/start.h"
+#include "chips/cortexm/start.h"
 
 #define DID0  REG32(0x400FE000)
 #define DID1  REG32(0x400FE004)

@@ -1,7 +1,7 @@
 # Stellaris LM3S6965; firmware/firmware.mk explains these variables. The chip has no UF2 family.
 PORT_CPU := armv7m
 PORT_FLAGS := -mcpu=cortex-m3 -mthumb
-PORT_SRC := hal/lm3s6965/lm3s6965.c hal/cortexm/start.c hal/cortexm/one_core.c
+PORT_SRC := hal/lm3s6965/lm3s6965.c hal/chips/cortexm/start.c hal/chips/cortexm/one_core.c
 PORT_LD := hal/lm3s6965/lm3s6965.ld
 PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler
 UF2_BASE := 0x0

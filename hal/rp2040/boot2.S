@@ -12,12 +12,12 @@
  * worn.
  *
  * Every other flash is read with command 03h: 24 address bits, no dummy bits, one data line, 31.25 MHz. Any SPI flash
- * understands that from power-on, whatever its status registers hold. rp2040_flash_open() (flash.h) may find a faster
+ * understands that from power-on, whatever its status registers hold. rp2_flash_open() (flash.h) may find a faster
  * read for it.
  *
  * The SSI disregards a write to a register of its set-up, RX_SAMPLE_DLY among them, while SSIENR is 1.
  */
-#include "flash_margin.h"
+#include "chips/rp2/flash_margin.h"
 
     .syntax unified
     .cpu cortex-m0plus

@@ -2,7 +2,7 @@
 #ifndef RP2040_CPU_H
 #define RP2040_CPU_H
 
-#include "rp2040/arm.h"
+#include "chips/rp2/arm.h"
 
 /* ARMv6-M Architecture Reference Manual B3.5 (MPU). */
 #define MPU_CTRL 0xe000ed94

@@ -16,8 +16,8 @@
 #include "board.h"
 #include "port.h"
 #include <cpu.h>
-#include "flash.h"
-#include "flash_margin.h"
+#include "chips/rp2/flash.h"
+#include "chips/rp2/flash_margin.h"
 
 #include <stddef.h>
 
@@ -214,7 +214,7 @@ ONCE void open_flash(uint32_t kind)
     }
 }
 
-ONCE void measure(struct rp2040_flash_facts *facts)
+ONCE void measure(struct rp2_flash_facts *facts)
 {
     const uint32_t control = REG(SSI_CTRLR0), read = REG(SSI_SPI_CTRLR0), divider = REG(SSI_BAUDR);
     const uint32_t delay = REG(SSI_RX_SAMPLE_DLY), right = probe();
@@ -282,7 +282,7 @@ static void give_back(uint32_t words)
     }
 }
 
-void rp2040_flash_open(void)
+void rp2_flash_open(void)
 {
     const uint32_t clean = untouched();
     if (borrow()) {
@@ -291,9 +291,9 @@ void rp2040_flash_open(void)
     }
 }
 
-void rp2040_flash_measure(struct rp2040_flash_facts *facts)
+void rp2_flash_measure(struct rp2_flash_facts *facts)
 {
-    *facts = (struct rp2040_flash_facts){0};
+    *facts = (struct rp2_flash_facts){0};
     const uint32_t clean = untouched();
     if (borrow()) {
         uint32_t waits = 1;

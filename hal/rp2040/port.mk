@@ -1,11 +1,11 @@
 # RP2040; firmware/firmware.mk explains these variables. CORES=2 gives the second core half of the work.
 PORT_CPU = armv6m
 PORT_FLAGS = -mcpu=cortex-m0plus -mthumb
-PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
-           $(addprefix hal/rp2040/,start.c guard.c clocks.c rp2040.c spi.c pins.c uart.c divide.c flash.c facts.c boot2.S vectors.S entry.S) firmware/bare/armv6m/memory.S
+PORT_SRC = $(if $(filter 2,$(CORES)),hal/chips/rp2/cores2.c,hal/chips/cortexm/one_core.c) \
+           $(addprefix hal/chips/rp2/,start.c guard.c clocks.c facts.c rp2.c spi.c pins.c uart.c entry.S) $(addprefix hal/rp2040/,divide.c flash.c boot2.S vectors.S) firmware/bare/armv6m/memory.S
 PORT_CORES = 1 2
 PORT_RAM_CODES = small
-PORT_INFO = hal/rp2040/binary_info.c
+PORT_INFO = hal/chips/rp2/binary_info.c
 PORT_TILES_BYTES = 1216 # 320x240 in bands of 16 lines
 PORT_SCENE = 524288 # FLASH_SCENE of host-sim/flash/flash_scene.h
 PORT_LD = hal/rp2040/rp2040.ld
@@ -18,4 +18,4 @@ EMULATE = B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' 
 SPEED = B='$(B)' host-sim/emulate/speed_rp2.sh '$(BOARD)'
 FLASH = '$(B)/pinhole-flash' $(if $(filter %.phs,$(SCENE)),'$(SCENE)' --at-scene,'$(IMAGE).uf2') $(if $(SERIAL),--serial '$(SERIAL)')
 FLASH_NEEDS = $(B)/pinhole-flash
-$(B)/hal/rp2040/%.o: INC = -Ihal -Ihal/rp2040 # registers.h: the RP2350, which has these sources, too, has its own
+$(B)/hal/chips/rp2/%.o $(B)/hal/rp2040/%.o: INC = -Ihal -Ihal/rp2040 # its registers.h and cpu.h; an RP2350 has its own

@@ -1,5 +1,5 @@
 /*
- * See rp2040/flash.h: the RP2350's QMI reads the flash. RP2350 datasheet 4.4 (cache), 12.14 (QMI), 9.11.4 (pads).
+ * See chips/rp2/flash.h: the RP2350's QMI reads the flash. RP2350 datasheet 4.4 (cache), 12.14 (QMI), 9.11.4 (pads).
  *
  * The ROM leaves the QMI with the fastest command by which it found the image: EBh on four lines, BBh on two, 0Bh or
  * 03h on one, at a third of clk_sys, with the command before each read (pico-bootrom-rp2350, varm_generic_flash.c). By
@@ -15,8 +15,8 @@
 #include "port.h"
 #include <registers.h>
 #include <cpu.h>
-#include "rp2040/flash_margin.h"
-#include "rp2040/flash.h"
+#include "chips/rp2/flash_margin.h"
+#include "chips/rp2/flash.h"
 
 #include <stddef.h>
 
@@ -171,7 +171,7 @@ static void read_on(uint32_t divider)
 }
 
 /* Without a prefix another program has let the flash read on, and it would hear no command. */
-void rp2040_flash_open(void)
+void rp2_flash_open(void)
 {
     const uint32_t kind = board_here->flash, slower = kind == BOARD_FLASH_AUTOMATIC ? 1 : 2;
     if ((REG(M0_RFMT) & RFMT_PREFIX) == 0) {
@@ -213,7 +213,7 @@ static uint32_t good_delays(uint32_t timing)
 }
 
 /* The id is that of the start: a flash that reads on would not hear the command. */
-void rp2040_flash_measure(struct rp2040_flash_facts *facts)
+void rp2_flash_measure(struct rp2_flash_facts *facts)
 {
     const uint32_t timing = REG(M0_TIMING);
     uint32_t waits = 1;

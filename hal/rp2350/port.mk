@@ -1,10 +1,10 @@
-# RP2350 with its Cortex-M33 or its Hazard3 cores: the sources of the RP2040, with other registers and memory, and what
-# differs by instruction set (ISA) in a folder. firmware/firmware.mk explains these variables.
+# RP2350 with its Cortex-M33 or its Hazard3 cores: the sources that it shares with the RP2040 (hal/chips/rp2), with
+# its own registers and memory, and what differs by instruction set (ISA) in a folder. firmware/firmware.mk explains these variables.
 PORT_ISAS = arm riscv
 PORT_CPU = $(if $(filter riscv,$(ISA)),rv32,armv7m)
-PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
-           $(addprefix hal/rp2040/,start.c guard.c clocks.c facts.c rp2040.c spi.c pins.c uart.c) hal/rp2350/flash.c \
-           $(if $(filter riscv,$(ISA)),$(addprefix hal/rp2350/riscv/,entry.S trap.c) firmware/bare/memory.c,hal/rp2040/entry.S hal/rp2350/arm/vectors.S)
+PORT_SRC = $(if $(filter 2,$(CORES)),hal/chips/rp2/cores2.c,hal/chips/cortexm/one_core.c) \
+           $(addprefix hal/chips/rp2/,start.c guard.c clocks.c facts.c rp2.c spi.c pins.c uart.c) hal/rp2350/flash.c \
+           $(if $(filter riscv,$(ISA)),$(addprefix hal/rp2350/riscv/,entry.S trap.c) firmware/bare/memory.c,hal/chips/rp2/entry.S hal/rp2350/arm/vectors.S)
 ifeq ($(ISA),riscv)
 PORT_CROSS = riscv64-unknown-elf-
 RV32 = -march=rv32imac_zicsr_zifencei_zba_zbb_zbkb -mabi=ilp32 # all that Hazard3 has and gcc 12 knows
@@ -14,7 +14,7 @@ else
 PORT_FLAGS = -mcpu=cortex-m33 -mthumb -mfloat-abi=soft
 endif
 PORT_CORES = 1 2
-PORT_INFO = hal/rp2040/binary_info.c
+PORT_INFO = hal/chips/rp2/binary_info.c
 PORT_TILES_BYTES = 1216 # 320x240 in bands of 16 lines
 PORT_SCENE = 524288 # FLASH_SCENE of host-sim/flash/flash_scene.h
 PORT_LD = hal/rp2350/rp2350.ld
@@ -27,5 +27,5 @@ EMULATE_NEEDS = $(B)/rp2350-emulate
 SPEED = CHIP=rp2350 ISA='$(ISA)' B='$(B)' host-sim/emulate/speed_rp2.sh '$(BOARD)'
 FLASH = '$(B)/pinhole-flash' $(if $(filter %.phs,$(SCENE)),'$(SCENE)' --at-scene,'$(IMAGE).uf2') $(if $(SERIAL),--serial '$(SERIAL)')
 FLASH_NEEDS = $(B)/pinhole-flash
-$(B)/hal/rp2040/%.o $(B)/hal/rp2350/%.o: INC = -Ihal -Ihal/rp2350/$(or $(ISA),arm) -Ihal/rp2350
+$(B)/hal/chips/rp2/%.o $(B)/hal/rp2350/%.o: INC = -Ihal -Ihal/rp2350/$(or $(ISA),arm) -Ihal/rp2350
 $(B)/hal/rp2350/flash.o: override CFLAGS += -Os # it takes RAM, and runs once

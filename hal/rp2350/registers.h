@@ -25,7 +25,7 @@
 #define CHIP_RESET      0x4010002c /* of POWMAN */
 #define SPI_BASE(unit)  (0x40080000 + 0x8000 * (uint32_t)(unit))
 
-#include "rp2040/peripherals.h"
+#include "chips/rp2/peripherals.h"
 
 enum {
     RESET_DMA = 1 << 2,

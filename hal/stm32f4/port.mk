@@ -1,7 +1,7 @@
 # STM32F405; firmware/firmware.mk explains these variables.
 PORT_CPU := armv7m
 PORT_FLAGS := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft
-PORT_SRC := hal/stm32f4/stm32f4.c hal/cortexm/start.c hal/cortexm/one_core.c
+PORT_SRC := hal/stm32f4/stm32f4.c hal/chips/cortexm/start.c hal/chips/cortexm/one_core.c
 PORT_LD := hal/stm32f4/stm32f4.ld
 PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler
 UF2_FAMILY := 0x57755a57

@@ -6,7 +6,7 @@
  * DMA the CPU writes byte by byte.
  */
 #include "board.h"
-#include "cortexm/start.h"
+#include "chips/cortexm/start.h"
 #include "port.h"
 #include "chips/spi_clock.h"
 

@@ -1,9 +1,9 @@
 /*
  * Port to no chip: an image with it links, and does nothing. Copy this folder to port a chip, as hal/README.md tells.
- * hal.h, port.h and cortexm/start.h say what each function must do; hal/cortexm has the rest of port.h.
+ * hal.h, port.h and chips/cortexm/start.h say what each function must do; hal/chips/cortexm has the rest of port.h.
  */
 #include "board.h"
-#include "cortexm/start.h"
+#include "chips/cortexm/start.h"
 #include "port.h"
 
 /* ---- start, log -------------------------------------------------------------------------------------- */

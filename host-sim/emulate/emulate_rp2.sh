@@ -61,7 +61,7 @@ pin() { sed -n "s/.*\.$1 = { *1, *[01], *(\([0-9]*\)).*/\1/p" <<<"$board"; } # {
 [ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
 
 # The functions that begin a frame and write to the bus; a program other than the demos may have none.
-calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("runner_send" in at) { print at["runner_send"] "," at["rp2040_bus_write"] "," at["rp2040_bus_write_rows"] "," at["runner_scene"] "," at["runner_ahead"] } }')
+calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("runner_send" in at) { print at["runner_send"] "," at["rp2_bus_write"] "," at["rp2_bus_write_rows"] "," at["runner_scene"] "," at["runner_ahead"] } }')
 mkdir -p "$out"
 unfinished=$out
 if [ "${CHIP-}" != rp2350 ]; then

@@ -1,5 +1,5 @@
 /* flash_program: which program is in a board's flash, as it says in its binary information (`picotool info` shows it,
- * too; hal/rp2040/binary_info.c writes it). Format: pico-sdk, pico_binary_info/structure.h. */
+ * too; hal/chips/rp2/binary_info.c writes it). Format: pico-sdk, pico_binary_info/structure.h. */
 #ifndef FLASH_PROGRAM_H
 #define FLASH_PROGRAM_H
 

@@ -6,7 +6,7 @@
 
 #define FLASH_SCENE 0x80000u /* from FLASH_BASE; PORT_SCENE of hal/rp2040/port.mk */
 
-/* How an image says in its binary information that it looks for a scene at an address (hal/rp2040/binary_info.c). */
+/* How an image says in its binary information that it looks for a scene at an address (hal/chips/rp2/binary_info.c). */
 #define FLASH_SCENE_FEATURE "takes a scene at 0x%08x"
 
 /* Reads the file, which must be right. 0, or a status with a line in error (FLASH_ERROR_SIZE bytes). */

@@ -35,7 +35,7 @@ begin() { # of the image that follows: its instruction set, cores
     size=$(stat -c %s "$whole.bin")
     first=$(od -An -v -tx4 -w4 "$whole.bin" | awk '$1 == "ffffded3" { print 4 * (NR - 1); exit }')
     [ "$ISA" = arm ] && type=0x10210142 link=$((first + 12)) || type=0x11010142 link=$((first + 24))
-    entry=$((0x$(arm-none-eabi-nm "$whole.elf" | awk '$3 == "rp2040_reset" { print $1 }')))
+    entry=$((0x$(arm-none-eabi-nm "$whole.elf" | awk '$3 == "rp2_reset" { print $1 }')))
     stack=$((0x$(arm-none-eabi-nm "$whole.elf" | awk '$3 == "ld_stack_top" { print $1 }')))
     [ "$ISA" = riscv ] || entry=$((entry | 1))
 }

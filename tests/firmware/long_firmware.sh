@@ -131,8 +131,8 @@ template_links() { # what one copies to port a chip; every function of the ports
         firmware BOARD_DIR="$dir/kits" BOARD=none-yet && [ -s "$B/firmware/none-yet-demos.bin" ] || return 1
     local name
     while read -r name; do
-        arm-none-eabi-nm "$B"/firmware/none-yet-objects/hal/{template/template,cortexm/start,cortexm/one_core}.o | grep -q " T $name\$" || { echo "$name" && return 1; }
-    done < <(sed -n 's/.*[ *]\(port_[a-z_]*\)(.*/\1/p' hal/port.h hal/cortexm/start.h)
+        arm-none-eabi-nm "$B"/firmware/none-yet-objects/hal/{template/template,chips/cortexm/start,chips/cortexm/one_core}.o | grep -q " T $name\$" || { echo "$name" && return 1; }
+    done < <(sed -n 's/.*[ *]\(port_[a-z_]*\)(.*/\1/p' hal/port.h hal/chips/cortexm/start.h)
     segments_lie_apart none-yet && says 'hal/template drives no chip' flash BOARD_DIR="$dir/kits" BOARD=none-yet
 }
 

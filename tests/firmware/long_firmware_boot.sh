@@ -61,7 +61,7 @@ stack_of_core_1_stays_below_its_bound() { # six demos; 32: the frame of its tick
     emulate "$board" 2 12 "$dir/keys" || return 1
     read -r place size < <(arm-none-eabi-nm -S "$B/firmware/$board-demos-cores2.elf" | awk '$4 == "stack" { print $1, $2 }')
     top=$((0x$place + 0x$size)) lowest=$(sed -n 's/^emulate: core 1: lowest stack //p' "$dir/log")
-    bound=$(find "$B/firmware/$board-cores2-objects" -name '*.ci' -exec cat {} + | awk -v library=96 -v list=1 -v of=hal/rp2040/cores2.c:serve -f firmware/tools/stack.awk | awk '/^worst/ { print $2 }')
+    bound=$(find "$B/firmware/$board-cores2-objects" -name '*.ci' -exec cat {} + | awk -v library=96 -v list=1 -v of=hal/chips/rp2/cores2.c:serve -f firmware/tools/stack.awk | awk '/^worst/ { print $2 }')
     echo "$((top - 0x$lowest)) used, at most $bound of $((0x$size))"
     [ $((top - 0x$lowest)) -gt 200 ] && [ $((top - 0x$lowest)) -le $((bound + 32)) ] && [ $((bound + 32)) -le $((0x$size - 256)) ] # without its guard
 }

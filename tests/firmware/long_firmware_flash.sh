@@ -52,7 +52,7 @@ ends() { printf '#include "port.h"\nint main(void) { return 0; }\n' >"$dir/$1.c"
 measuring() {
     cat >"$dir/measure.c" <<'EOT'
 #include "port.h"
-#include "rp2040/flash.h"
+#include "chips/rp2/flash.h"
 static void put(uint32_t value, int digits)
 {
     char text[10] = " ";
@@ -63,8 +63,8 @@ static void put(uint32_t value, int digits)
 int main(void)
 {
     for (int i = 0; i < 2; i++) {
-        struct rp2040_flash_facts f;
-        rp2040_flash_measure(&f);
+        struct rp2_flash_facts f;
+        rp2_flash_measure(&f);
         put((uint32_t)f.id[0] << 16 | (uint32_t)f.id[1] << 8 | f.id[2], 6);
         put(f.command, 2), put(f.divider, 1), put(f.delay, 1), put(f.good_delays, 2);
         port_log(port_stack_used() < 2048 ? " dry\r\n" : " wet\r\n");
@@ -77,7 +77,7 @@ EOT
 # Delays: with divider 2 only one is right both when everything is as slow as can be and when it is as fast as can be.
 measures() { # cores, chip, what is told
     local second=()
-    [ "$1" = 1 ] || second=(hal/rp2040/cores2.c)
+    [ "$1" = 1 ] || second=(hal/chips/rp2/cores2.c)
     measuring && bare measure "${second[@]}" && run_bare measure "$2" "$1" || return 1
     { [ "$(tr -d '\r' <"$dir/log" | grep -cx " $3 dry")" = 2 ] && grep -qx 'emulate: ended in frame -1: exit' "$dir/log"; } || { cat "$dir/log" && return 1; }
 }

@@ -1,9 +1,9 @@
 /*
  * A program for long_rp2350_flash.sh: how long an emulated RP2350's reads of flash take, in us of its timer, how many
- * of them its cache does not have, and what rp2040_flash_measure() tells. It runs from RAM.
+ * of them its cache does not have, and what rp2_flash_measure() tells. It runs from RAM.
  */
 #include "port.h"
-#include "rp2040/flash.h"
+#include "chips/rp2/flash.h"
 
 #define TIMERAWL (*(volatile uint32_t *)0x400b0028)
 #define CTR_HIT  (*(volatile uint32_t *)0x400c800c)
@@ -64,7 +64,7 @@ static void loop(const char *name, uint32_t kb)
 
 int main(void)
 {
-    struct rp2040_flash_facts facts;
+    struct rp2_flash_facts facts;
     cost("soon", 24, 0);
     cost("late", 24, 60);
     cost("next", 8, 0);
@@ -72,7 +72,7 @@ int main(void)
     loop("16KB", 16);
     loop("24KB", 24);
     loop("32KB", 32);
-    rp2040_flash_measure(&facts);
+    rp2_flash_measure(&facts);
     put("id", (uint32_t)facts.id[0] << 16 | (uint32_t)facts.id[1] << 8 | facts.id[2]);
     put("command", facts.command);
     put("divider", facts.divider);

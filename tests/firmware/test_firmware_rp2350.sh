@@ -30,7 +30,7 @@ stack_of_core_1_has_a_bound() {
     local size bound frame=64
     [ "$isa" = riscv ] || frame=32
     size=$((0x$("${cross}nm" -S "$image.elf" | awk '$4 == "stack" { print $2 }')))
-    bound=$(find "${image/-demos/}-objects" -name '*.ci' -exec cat {} + | awk -v library=96 -v list=1 -v of=hal/rp2040/cores2.c:serve -f firmware/tools/stack.awk | awk '/^worst/ { print $2 }')
+    bound=$(find "${image/-demos/}-objects" -name '*.ci' -exec cat {} + | awk -v library=96 -v list=1 -v of=hal/chips/rp2/cores2.c:serve -f firmware/tools/stack.awk | awk '/^worst/ { print $2 }')
     echo "at most $bound of $size"
     [ "$bound" -gt 1000 ] && [ $((bound + frame)) -le $((size - 256)) ]
 }
@@ -55,7 +55,7 @@ odd() { printf '%08x' $((0x$1 | 1)); } # address of Thumb code as a vector has i
 # RISC-V also an entry point (5.9.3.4).
 definition_is_there() { # BIN
     local expected='ffffded3 10210142 000001ff 00000000 ab123579 '
-    [ "$isa" = arm ] || expected="ffffded3 11010142 00000344 $(symbol rp2040_reset) $(symbol ld_stack_top) 000004ff 00000000 ab123579 "
+    [ "$isa" = arm ] || expected="ffffded3 11010142 00000344 $(symbol rp2_reset) $(symbol ld_stack_top) 000004ff 00000000 ab123579 "
     words "$1" | head -n 1024 | awk -v expected="$expected" '
         $1 == "ffffded3" { at = NR }
         at { block = block $1 " " }
@@ -70,8 +70,8 @@ other_chips_definition_is_seen() {
 
 vectors_are_at_the_beginning() { # stack, reset; timer 0 is interrupt 0, DMA 0 is interrupt 10
     mapfile -t vector < <(words "$image.bin" | head -n 68)
-    [ "${vector[0]}" = "$(symbol ld_stack_top)" ] && [ "${vector[1]}" = "$(odd "$(symbol rp2040_reset)")" ] &&
-        [ "${vector[16]}" = "$(odd "$(symbol rp2040_timer_interrupt)")" ] && [ "${vector[26]}" = "$(odd "$(symbol rp2040_spi_interrupt)")" ]
+    [ "${vector[0]}" = "$(symbol ld_stack_top)" ] && [ "${vector[1]}" = "$(odd "$(symbol rp2_reset)")" ] &&
+        [ "${vector[16]}" = "$(odd "$(symbol rp2_timer_interrupt)")" ] && [ "${vector[26]}" = "$(odd "$(symbol rp2_spi_interrupt)")" ]
 }
 
 # As picotool 2.1 writes it (elf2uf2.cpp, gen_abs_block): family "absolute", the first of two, in the last page of 16 MB,

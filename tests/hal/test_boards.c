@@ -93,8 +93,8 @@ static void units_are_those_of_the_ports(void **state)
     static const struct {
         const char *text;
         enum board_spi_unit unit;
-    } ports[] = {{"pico.mk", BOARD_SPI_RP2040},
-                 {"pico2.mk", BOARD_SPI_RP2040},
+    } ports[] = {{"pico.mk", BOARD_SPI_RP2},
+                 {"pico2.mk", BOARD_SPI_RP2},
                  {"lm3s6965", BOARD_SPI_LM3S6965},
                  {"stm32f4", BOARD_SPI_STM32F4}};
     for (uint32_t i = 0; i < board_count; i++) {
@@ -180,7 +180,7 @@ static double frame_us(const struct board *b, uint32_t hz)
     const double bytes = panel_frame_bytes(b->panel, b->format, b->rotation);
     const double pixels = panel_width(b->panel, b->rotation) * panel_height(b->panel, b->rotation);
     const double words = b->spi_mode != 0                    ? 0
-                         : b->spi_unit == BOARD_SPI_RP2040   ? bytes - pixels
+                         : b->spi_unit == BOARD_SPI_RP2      ? bytes - pixels
                          : b->spi_unit == BOARD_SPI_LM3S6965 ? bytes
                                                              : 0;
     return (8 * bytes + 1.5 * words) * 1e6 / hz;

@@ -41,7 +41,7 @@ static void known_clocks(void **state)
 static void a_clock_that_was_told_is_made_again(void **state)
 {
     (void)state;
-    static const uint32_t inputs[] = {SPI_CLOCK_RP2040_HZ, SPI_CLOCK_LM3S6965_HZ};
+    static const uint32_t inputs[] = {SPI_CLOCK_RP2_HZ, SPI_CLOCK_LM3S6965_HZ};
     for (uint32_t prescaler = 2; prescaler <= 254; prescaler += 2) {
         for (uint32_t scr = 0; scr <= 255; scr++) {
             const uint32_t input = inputs[scr & 1], hz = input / (prescaler * (scr + 1));

@@ -15,7 +15,7 @@
 
 #include "registers/registers.h"
 
-/* The port's own file, with these in place of cortexm/start.h, and without the jump into the boot loader. */
+/* The port's own file, with these in place of chips/cortexm/start.h, and without the jump into the boot loader. */
 #define CORTEXM_START_H
 #define REG32(address) (*reg(address))
 #define __asm__                                                                                                        \

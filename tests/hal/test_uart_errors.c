@@ -22,7 +22,7 @@ uint32_t port_start(void);
 void port_bus_stop(void);
 uint32_t cortexm_time_us(void *context);
 void cortexm_delay_us(void *context, uint32_t us);
-#include "../../hal/rp2040/uart.c" /* NOLINT(bugprone-suspicious-include) */
+#include "../../hal/chips/rp2/uart.c" /* NOLINT(bugprone-suspicious-include) */
 void lm3s6965_log(const char *text);
 int lm3s6965_log_read(void);
 #define port_log      lm3s6965_log
@@ -87,13 +87,13 @@ int main(void)
 extern const struct board board_lm3s6965evb;
 const struct board *const board_here = &board_lm3s6965evb;
 
-void rp2040_pin_function(uint32_t pin, uint32_t function)
+void rp2_pin_function(uint32_t pin, uint32_t function)
 {
     (void)pin;
     (void)function;
 }
 
-void rp2040_pin_input(uint32_t pin)
+void rp2_pin_input(uint32_t pin)
 {
     (void)pin;
 }

@@ -2,7 +2,7 @@
 #ifndef RP2350_CPU_H
 #define RP2350_CPU_H
 
-#include "rp2040/arm.h"
+#include "chips/rp2/arm.h"
 
 /* The stack pointer of the core that calls it never goes below the end of the region: a push that would is a fault. */
 static inline void guard_stack(uint32_t from, uint32_t bytes_log2)

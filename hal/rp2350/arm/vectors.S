@@ -5,12 +5,12 @@
  */
     .syntax unified
     .section .vectors, "a"
-    .word ld_stack_top, rp2040_reset, rp2040_on_fault, rp2040_on_fault /* reset, NMI, hard fault */
-    .word rp2040_on_fault, rp2040_on_fault, rp2040_on_fault, rp2040_on_fault /* memory, bus, usage, secure fault */
-    .word 0, 0, 0, rp2040_on_fault, rp2040_on_fault, 0, rp2040_on_fault, rp2040_tick /* SVC, debug, PendSV, SysTick */
-    .word rp2040_timer_interrupt                                /* IRQ 0: TIMER0_0 */
+    .word ld_stack_top, rp2_reset, rp2_on_fault, rp2_on_fault /* reset, NMI, hard fault */
+    .word rp2_on_fault, rp2_on_fault, rp2_on_fault, rp2_on_fault /* memory, bus, usage, secure fault */
+    .word 0, 0, 0, rp2_on_fault, rp2_on_fault, 0, rp2_on_fault, rp2_tick /* SVC, debug, PendSV, SysTick */
+    .word rp2_timer_interrupt                                /* IRQ 0: TIMER0_0 */
     .word 0, 0, 0, 0, 0, 0, 0, 0, 0
-    .word rp2040_spi_interrupt                                  /* IRQ 10: DMA_0 */
+    .word rp2_spi_interrupt                                  /* IRQ 10: DMA_0 */
     .fill 41, 4, 0                                              /* to IRQ 51 */
 
     .word 0xffffded3

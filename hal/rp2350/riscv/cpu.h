@@ -1,6 +1,6 @@
 /*
- * cpu: the RP2350's Hazard3 cores; hal/rp2040/arm.h says what each function does. RP2350 datasheet 3.1.8 (timer of the
- * SIO), 3.4 (events), 3.8.3 (memory protection), 3.8.6.1 (interrupts), 5.4 (ROM).
+ * cpu: the RP2350's Hazard3 cores; hal/chips/rp2/arm.h says what each function does. RP2350 datasheet 3.1.8 (timer of
+ * the SIO), 3.4 (events), 3.8.3 (memory protection), 3.8.6.1 (interrupts), 5.4 (ROM).
  */
 #ifndef RP2350_CPU_H
 #define RP2350_CPU_H

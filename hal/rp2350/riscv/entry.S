@@ -1,6 +1,6 @@
 /*
  * The image definition for the RP2350's RISC-V cores (RP2350 datasheet 5.9.3, 5.9.5), reset, the vectors of traps, and
- * what else C cannot express. hal/rp2040/entry.S has the same for Arm. Symbols ld_... come from the linker script.
+ * what else C cannot express. hal/chips/rp2/entry.S has the same for Arm. Symbols ld_... come from the linker script.
  */
     .section .vectors, "a"
     .word 0xffffded3
@@ -8,7 +8,7 @@
     .hword 1 << 12 | 1 << 8 | 1         /* RP2350, RISC-V, a program */
     .byte 0x44, 3                       /* entry point, three words */
     .hword 0
-    .word rp2040_reset, ld_stack_top
+    .word rp2_reset, ld_stack_top
     .byte 0xff                          /* the last item */
     .hword 4                            /* words of all items before */
     .byte 0
@@ -18,10 +18,10 @@
     .section .reset, "ax"
 /*
  * Prepares memory for C: copies code and data to RAM, clears the rest, and paints the stack with its own addresses (see
- * port_stack_used()). Then it goes to rp2040_start(), which does not return.
+ * port_stack_used()). Then it goes to rp2_start(), which does not return.
  */
-    .global rp2040_reset
-rp2040_reset:
+    .global rp2_reset
+rp2_reset:
     csrci mstatus, 8
     csrw mie, zero
     la sp, ld_stack_top
@@ -47,7 +47,7 @@ rp2040_reset:
     bltu a1, sp, 5b
     la a1, vectors + 1                  /* by cause */
     csrw mtvec, a1
-    tail rp2040_start
+    tail rp2_start
 
     .text
     .balign 64
@@ -66,14 +66,14 @@ fault:
     csrr sp, mscratch
     csrr a0, mepc
     mv a1, ra
-    tail rp2040_fault
+    tail rp2_fault
 
 /* The arguments are in a0 and a1. Debuggers know the call by the instructions around it (RISC-V semihosting). */
-    .global rp2040_semihosting
+    .global rp2_semihosting
     .balign 16
     .option push
     .option norvc
-rp2040_semihosting:
+rp2_semihosting:
     slli x0, x0, 0x1f
     ebreak
     srai x0, x0, 7

@@ -1,7 +1,7 @@
 /* The handlers of interrupts. None interrupts another. RP2350 datasheet 3.8.4.2, 3.8.6.1. */
 #include <cpu.h>
 
-#include "rp2040/rp2040.h"
+#include "chips/rp2/rp2.h"
 
 /* For entry.S. */
 void rp2350_timer(void);
@@ -10,7 +10,7 @@ void rp2350_external(void);
 __attribute__((interrupt("machine"))) void rp2350_timer(void)
 {
     cpu_tick_next(TICK_CYCLES);
-    rp2040_tick();
+    rp2_tick();
 }
 
 /* Ends by an event for a core that is about to wait for what the interrupt did. */
@@ -20,9 +20,9 @@ __attribute__((interrupt("machine"))) void rp2350_external(void)
     CSR_READ(MEINEXT, next);
     while (next >= 0) {
         if (next / 4 == IRQ_TIMER_0) {
-            rp2040_timer_interrupt();
+            rp2_timer_interrupt();
         } else {
-            rp2040_spi_interrupt();
+            rp2_spi_interrupt();
         }
         CSR_READ(MEINEXT, next);
     }

@@ -6,7 +6,7 @@
 //   value = flash.probe(own, value);            the same past the cache: what the SSI makes of the word there
 //
 // The SSI is strict: a write that the SSI disregards, a bit whose effect is not modelled, a read that the flash does not
-// take, and one whose bits are not sampled by hal/rp2040/flash_margin.h are objections. A read past the cache may try out what is
+// take, and one whose bits are not sampled by hal/chips/rp2/flash_margin.h are objections. A read past the cache may try out what is
 // safe: where the bits are not sampled in time it gets wrong ones, and nobody objects.
 //
 // The cache has 16 KB, two ways, lines of two words. A miss reads one word (the SSI's frame has 32 bits), the other word
@@ -28,7 +28,7 @@ const FIFO_ENTRIES = 16;
 const READ_TMOD = 3;
 const STANDARD = 0, QUAD = 2; // SPI_FRF
 const PADS_AFTER_RESET = [0x56, 0x52, 0x52, 0x52, 0x52, 0x5a]; // clock, data, select
-const MARGIN_NS = 3, PADS_NS = [1.11 + 0.47, 2.5 + 1.5]; // see hal/rp2040/flash_margin.h
+const MARGIN_NS = 3, PADS_NS = [1.11 + 0.47, 2.5 + 1.5]; // see hal/chips/rp2/flash_margin.h
 
 // Registers that may be written (datasheet 4.10.13): their bits, and whether they may be written while SSIENR is 1. Other
 // bits that exist have effects that are not modelled.
@@ -132,13 +132,13 @@ function addSsi(machine, ssi, chip, changed) {
   };
 }
 
-// Whether the bits are sampled in time, in ns: see hal/rp2040/flash_margin.h, whose arithmetic it is.
+// Whether the bits are sampled in time, in ns: see hal/chips/rp2/flash_margin.h, whose arithmetic it is.
 function marginsOf(ssi, data, clkSys) {
   const cycle = 1e9 / clkSys, sampled = (ssi.baudr / 2 + ssi.rxsampldly) * cycle;
   return { setup: sampled - data.tclqv - PADS_NS[1], hold: ssi.baudr * cycle + data.tclqx + PADS_NS[0] - sampled };
 }
 
-// The pads for which hal/rp2040/flash_margin.h has delays (PADS_QSPI, datasheet 2.19.6.4): the clock's is fast and has 8 mA or
+// The pads for which hal/chips/rp2/flash_margin.h has delays (PADS_QSPI, datasheet 2.19.6.4): the clock's is fast and has 8 mA or
 // more, those of the data have no Schmitt trigger.
 function slowPads([clock, ...data]) {
   if ((clock.padValue & 0xa1) !== 0x21) {

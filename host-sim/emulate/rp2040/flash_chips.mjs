@@ -15,7 +15,7 @@
 const SERIAL = { 0x03: { lines: '1-1', mode: 0, dummy: 0, hz: 50e6 }, 0x0b: { lines: '1-1', mode: 0, dummy: 8, hz: 104e6 } };
 const OUTPUT = { ...SERIAL, 0x6b: { lines: '1-4', mode: 0, dummy: 8, hz: 104e6 } };
 const QUAD = { ...OUTPUT, 0xeb: { lines: '4-4', mode: 2, dummy: 4, hz: 104e6 } };
-const UNKNOWN = { tclqv: 8, tclqx: 0 }; // of hal/rp2040/flash_margin.h
+const UNKNOWN = { tclqv: 8, tclqx: 0 }; // of hal/chips/rp2/flash_margin.h
 const FOR_GOOD = 0x01, UNTIL_POWER_OFF = 0x08; // double word 16
 const CLONE = { reads: QUAD, qe: false, needs: 5, until: FOR_GOOD | UNTIL_POWER_OFF, words: 16, continuous: true, ...UNKNOWN };
 const W25Q = { ...CLONE, id: [0xef, 0x40, 0x15], needs: 4, tclqv: 6, tclqx: 1.5 };

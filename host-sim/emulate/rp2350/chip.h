@@ -238,7 +238,7 @@ uint32_t qmi_pad_read(struct chip *chip, uint32_t offset);
 void qmi_pad_write(struct chip *chip, uint32_t offset, uint32_t value);
 /* Reads `bytes` at an address of the flash for a core; cycles until it has them. *right: they were sampled rightly. */
 uint64_t qmi_transfer(struct core *core, uint32_t address, uint32_t bytes, bool *right);
-/* Whether reads by M0_TIMING have less margin than hal/rp2040/flash_margin.h asks for. */
+/* Whether reads by M0_TIMING have less margin than hal/chips/rp2/flash_margin.h asks for. */
 bool qmi_is_marginal(const struct chip *chip);
 /* Whether direct mode takes the flash away from the windows. */
 static inline bool qmi_is_direct(const struct chip *chip)

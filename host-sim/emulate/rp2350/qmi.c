@@ -46,7 +46,7 @@ enum { PAD_SCLK = 1, PAD_SD0 = 2, PAD_SS = 6, PADS = 7 };
 enum { PAD_ISO = 1 << 8, PAD_OD = 1 << 7, PAD_IE = 1 << 6, PAD_SCHMITT = 2, PAD_SLEWFAST = 1, PAD_RESET = 0x56 };
 #define PADS_MOST_HZ 50.01e6 /* what the ROM reads with with pads as they are after a reset */
 enum { RESET_IO_QSPI = 1 << 7, RESET_PADS_QSPI = 1 << 10 };
-#define MARGIN_FS 3000000ULL /* hal/rp2040/flash_margin.h */
+#define MARGIN_FS 3000000ULL /* hal/chips/rp2/flash_margin.h */
 
 static uint32_t divider_of(uint32_t clkdiv)
 {

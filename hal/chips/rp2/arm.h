@@ -2,8 +2,8 @@
  * arm: what the port needs of an Arm core, Cortex-M0+ or M33, in its cpu.h. Architecture Reference Manuals of ARMv6-M,
  * B3.3 (SysTick), and ARMv8-M, B11.
  */
-#ifndef RP2040_ARM_H
-#define RP2040_ARM_H
+#ifndef RP2_ARM_H
+#define RP2_ARM_H
 
 #include <registers.h>
 
@@ -15,7 +15,7 @@
 #define NVIC_ISER 0xe000e100
 #define VTOR      0xe000ed08
 
-#define BKPT_OPCODE 0xbeab /* of rp2040_semihosting */
+#define BKPT_OPCODE 0xbeab /* of rp2_semihosting */
 
 /* Sleeps until an interrupt ends or the other core sends an event; not at all if one of them came since the last time.
  */
@@ -44,7 +44,7 @@ static inline void cpu_interrupt_enable(uint32_t irq)
     REG(NVIC_ISER) = 1U << irq;
 }
 
-/* rp2040_tick runs each time so many cycles have passed. */
+/* rp2_tick runs each time so many cycles have passed. */
 static inline void cpu_tick_start(uint32_t cycles)
 {
     REG(SYST_RVR) = cycles - 1;

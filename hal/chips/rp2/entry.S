@@ -7,11 +7,11 @@
     .text
 /*
  * Prepares memory for C: copies code and data to RAM, clears the rest, and paints the stack with its own addresses (see
- * port_stack_used()). Then it goes to rp2040_start(), which does not return.
+ * port_stack_used()). Then it goes to rp2_start(), which does not return.
  */
-    .global rp2040_reset
+    .global rp2_reset
     .thumb_func
-rp2040_reset:
+rp2_reset:
     ldr r0, =ld_data_load
     ldr r1, =ld_data_start
     ldr r2, =ld_data_end
@@ -33,23 +33,23 @@ rp2040_reset:
     adds r1, r1, #4
     cmp r1, r2
     blo 5b
-    ldr r0, =rp2040_start
+    ldr r0, =rp2_start
     bx r0
 
-/* Every fault comes here. Of its frame on the stack (r0 .. r3, r12, lr, pc, psr) pc and lr go to rp2040_fault(). */
-    .global rp2040_on_fault
+/* Every fault comes here. Of its frame on the stack (r0 .. r3, r12, lr, pc, psr) pc and lr go to rp2_fault(). */
+    .global rp2_on_fault
     .thumb_func
-rp2040_on_fault:
+rp2_on_fault:
     mrs r2, msp
     ldr r0, [r2, #24]
     ldr r1, [r2, #20]
-    ldr r2, =rp2040_fault
+    ldr r2, =rp2_fault
     bx r2
 
 /* The arguments are in r0 and r1. */
-    .global rp2040_semihosting
+    .global rp2_semihosting
     .thumb_func
-rp2040_semihosting:
+rp2_semihosting:
     bkpt 0xab
     bx lr
     .ltorg

@@ -7,7 +7,7 @@
  */
 #include "port.h"
 #include <cpu.h>
-#include "rp2040.h"
+#include "rp2.h"
 
 #define STACK_BYTES      5632 /* by the call graph (a scene), and the frame of a tick */
 #define GUARD_BYTES_LOG2 8    /* the MPU's least region */
@@ -61,7 +61,7 @@ static inline void take(uint32_t run)
 /* Core 1. */
 static _Noreturn void serve(void)
 {
-    rp2040_guard((uint32_t)(uintptr_t)stack, GUARD_BYTES_LOG2);
+    rp2_guard((uint32_t)(uintptr_t)stack, GUARD_BYTES_LOG2);
     for (;;) {
         take(pull());
     }

@@ -1,6 +1,6 @@
-/* See rp2040.h: what happens when a stack runs over. RP2040 datasheet 4.7 (watchdog), 2.13 (what it resets). */
+/* See rp2.h: what happens when a stack runs over. RP2040 datasheet 4.7 (watchdog), 2.13 (what it resets). */
 #include <cpu.h>
-#include "rp2040.h"
+#include "rp2.h"
 
 #define WATCHDOG_US 500000
 #define ARMED       0x50696e68 /* in SCRATCH0: a boot loader starts images by the watchdog, too */
@@ -14,7 +14,7 @@ static void feed(void)
     REG(WATCHDOG_LOAD) = WATCHDOG_TICKS_US * WATCHDOG_US;
 }
 
-void rp2040_tick(void)
+void rp2_tick(void)
 {
     if (REG(SIO_CPUID) != 0) {
         core1.seen = core1.alive = true;
@@ -24,13 +24,13 @@ void rp2040_tick(void)
     }
 }
 
-void rp2040_guard(uint32_t from, uint32_t bytes_log2)
+void rp2_guard(uint32_t from, uint32_t bytes_log2)
 {
     guard_stack(from, bytes_log2);
     cpu_tick_start(TICK_CYCLES);
 }
 
-void rp2040_watchdog_start(void)
+void rp2_watchdog_start(void)
 {
     REG(PSM_WDSEL) = PSM_ALL & ~PSM_OSCILLATORS;
     REG(WATCHDOG_SCRATCH0) = ARMED;
@@ -38,14 +38,14 @@ void rp2040_watchdog_start(void)
     REG_SET(WATCHDOG_CTRL) = WATCHDOG_ENABLE;
 }
 
-void rp2040_watchdog_stop(void)
+void rp2_watchdog_stop(void)
 {
     REG_CLEAR(WATCHDOG_CTRL) = WATCHDOG_ENABLE;
     REG(WATCHDOG_SCRATCH0) = 0;
     cpu_tick_stop();
 }
 
-bool rp2040_watchdog_bit(void)
+bool rp2_watchdog_bit(void)
 {
     return (REG(WATCHDOG_REASON) & REASON_TIMER) != 0 && REG(WATCHDOG_SCRATCH0) == ARMED;
 }

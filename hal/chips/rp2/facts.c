@@ -73,8 +73,8 @@ static void put_start(port_put put)
 
 static void put_flash(port_put put)
 {
-    struct rp2040_flash_facts f;
-    rp2040_flash_measure(&f);
+    struct rp2_flash_facts f;
+    rp2_flash_measure(&f);
     put("flash id ", (uint32_t)f.id[0] << 16 | (uint32_t)f.id[1] << 8 | f.id[2], PORT_HEX);
     put(", read by ", f.command, PORT_HEX);
     put("h at sys/", f.divider, PORT_DECIMAL);

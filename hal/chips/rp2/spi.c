@@ -12,10 +12,10 @@
  * The handler's code and data lie in RAM, because flash may answer late.
  */
 #include <cpu.h>
-#include "rp2040.h"
+#include "rp2.h"
 #include "chips/spi_clock.h"
 
-_Static_assert(CLK_PERI_HZ == SPI_CLOCK_RP2040_HZ, "the simulator counts with this clock");
+_Static_assert(CLK_PERI_HZ == SPI_CLOCK_RP2_HZ, "the simulator counts with this clock");
 
 #define SHORTS 12 /* bytes: column, row and memory write commands of a window are 11 */
 
@@ -130,7 +130,7 @@ static void go_on(void)
 }
 
 /* The DMA has read a whole row. */
-void rp2040_spi_interrupt(void)
+void rp2_spi_interrupt(void)
 {
     REG(DMA_INTS0) = 1;
     if (--spi.rows_left > 0) {
@@ -153,22 +153,22 @@ static void wait_for_dma(uint32_t waiting)
 
 static void spi_pin(const struct board_pin *pin)
 {
-    rp2040_pin_function(pin->number, FUNCTION_SPI);
+    rp2_pin_function(pin->number, FUNCTION_SPI);
     REG(PADS_BANK0(pin->number)) = PAD_FAST | PAD_8_MA | PAD_INPUT;
 }
 
-void rp2040_spi_open(const struct board *board)
+void rp2_spi_open(const struct board *board)
 {
     const struct board_pins *pins = &board->pins;
     spi.unit = board->spi_bus;
     spi.waiting_most = 0;
     spi.cr0 = board->spi_mode == 3 ? 3 << 6 : 0; /* SPH, SPO */
     if (pins->select.wired) {
-        rp2040_pin_output(pins->select.number, pins->select.active_low);
+        rp2_pin_output(pins->select.number, pins->select.active_low);
         spi.select_pin = 1U << pins->select.number;
         spi.select_low = pins->select.active_low;
     }
-    rp2040_pin_output(pins->dc.number, true);
+    rp2_pin_output(pins->dc.number, true);
     spi.dc_pin = 1U << pins->dc.number;
     spi.dc = HAL_DATA;
     spi_pin(&pins->clock);
@@ -177,16 +177,16 @@ void rp2040_spi_open(const struct board *board)
     REG(DMA_CH0_WRITE_ADDR) = SPI_SSPDR(spi.unit);
     REG(DMA_INTE0) = 1;
     cpu_interrupt_enable(IRQ_DMA_0);
-    rp2040_bus_clock(NULL, 1000000);
+    rp2_bus_clock(NULL, 1000000);
 }
 
-int32_t rp2040_bus_clock(void *context, uint32_t hz)
+int32_t rp2_bus_clock(void *context, uint32_t hz)
 {
     const struct spi_clock_pl022 clock = spi_clock_pl022(CLK_PERI_HZ, hz);
     if (clock.hz == 0) {
         return HAL_EINVAL;
     }
-    rp2040_bus_wait(context);
+    rp2_bus_wait(context);
     spi.cr0 = (spi.cr0 & 0xff) | clock.scr << 8;
     REG(SPI_SSPCR1(spi.unit)) = 0;
     REG(SPI_SSPCPSR(spi.unit)) = clock.prescaler;
@@ -194,19 +194,19 @@ int32_t rp2040_bus_clock(void *context, uint32_t hz)
     return (int32_t)clock.hz;
 }
 
-void rp2040_bus_queue(void *context, bool on)
+void rp2_bus_queue(void *context, bool on)
 {
     (void)context;
     spi.waiting_most = on ? WRITES - 1 : 0;
 }
 
-uint32_t rp2040_bus_written(void *context)
+uint32_t rp2_bus_written(void *context)
 {
     (void)context;
     return spi.given;
 }
 
-int rp2040_bus_until(void *context, uint32_t written)
+int rp2_bus_until(void *context, uint32_t written)
 {
     (void)context;
     wait_for_dma(spi.given - written);
@@ -278,7 +278,7 @@ static void write_rows(enum hal_dc dc, const uint8_t *bytes, uint32_t n, uint32_
     give();
 }
 
-int rp2040_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+int rp2_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     (void)context;
     if (n > HAL_COPIED) {
@@ -289,7 +289,7 @@ int rp2040_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t
     return HAL_OK;
 }
 
-int rp2040_bus_write_rows(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows)
+int rp2_bus_write_rows(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows)
 {
     (void)context;
     if (n > 0 && rows > 0) {
@@ -298,7 +298,7 @@ int rp2040_bus_write_rows(void *context, const uint8_t *bytes, size_t n, size_t 
     return HAL_OK;
 }
 
-int rp2040_bus_wait(void *context)
+int rp2_bus_wait(void *context)
 {
     (void)context;
     wait_for_dma(0);
@@ -307,9 +307,9 @@ int rp2040_bus_wait(void *context)
     return HAL_OK;
 }
 
-void rp2040_spi_close(void)
+void rp2_spi_close(void)
 {
-    rp2040_bus_wait(NULL);
+    rp2_bus_wait(NULL);
     REG(SPI_SSPCR1(spi.unit)) = 0;
     REG(DMA_INTE0) = 0;
 }

@@ -2,11 +2,11 @@
 #include "port.h"
 #include "chips/pl011.h"
 #include <registers.h>
-#include "rp2040.h"
+#include "rp2.h"
 
 enum { UART_TX_PIN = 0, UART_RX_PIN = 1, FR_RXFE = 1 << 4, FR_TXFF = 1 << 5 };
 
-void rp2040_uart_init(void)
+void rp2_uart_init(void)
 {
     const uint32_t divisor64 = (CLK_PERI_HZ * 4U + 115200 / 2) / 115200; /* CLK / (16 x 115200), 6 fraction bits */
     REG(UART0_IBRD) = divisor64 / 64;
@@ -14,9 +14,9 @@ void rp2040_uart_init(void)
     REG(UART0_LCR_H) = 3 << 5 | 1 << 4;  /* 8 bits, FIFOs */
     REG(UART0_CR) = 1 << 9 | 1 << 8 | 1; /* receive, transmit, on */
     REG(PADS_BANK0(UART_TX_PIN)) = PAD_SCHMITT | PAD_8_MA | PAD_INPUT;
-    rp2040_pin_function(UART_TX_PIN, FUNCTION_UART);
-    rp2040_pin_input(UART_RX_PIN);
-    rp2040_pin_function(UART_RX_PIN, FUNCTION_UART);
+    rp2_pin_function(UART_TX_PIN, FUNCTION_UART);
+    rp2_pin_input(UART_RX_PIN);
+    rp2_pin_function(UART_RX_PIN, FUNCTION_UART);
 }
 
 void port_log(const char *text)

@@ -1,5 +1,5 @@
 /* Start, time, faults: see start.h. Registers as in the ARMv7-M Architecture Reference Manual, B3. */
-#include "cortexm/start.h"
+#include "chips/cortexm/start.h"
 
 #include "panel.h"
 #include "board.h"

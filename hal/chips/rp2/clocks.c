@@ -1,7 +1,7 @@
-/* See rp2040.h: clocks and resets. */
+/* See rp2.h: clocks and resets. */
 #include "port.h"
 #include <registers.h>
-#include "rp2040.h"
+#include "rp2.h"
 
 #define CRYSTAL_MHZ 12
 
@@ -24,7 +24,7 @@ static void start_crystal(void)
 }
 
 /* clk_sys leaves the PLL while the PLL is set up: it may run already, when another image started this one. */
-void rp2040_clocks_init(void)
+void rp2_clocks_init(void)
 {
     start_crystal();
     REG_CLEAR(CLK_SYS_CTRL) = 1; /* clk_ref */

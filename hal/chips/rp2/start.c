@@ -2,16 +2,16 @@
 #include "port.h"
 #include <cpu.h>
 #include "flash.h"
-#include "rp2040.h"
+#include "rp2.h"
 
 #define GUARD_BYTES_LOG2 16 /* below RAM, where it costs nothing */
 
-extern uint32_t ld_stack[], ld_stack_top[]; /* rp2040.ld */
+extern uint32_t ld_stack[], ld_stack_top[]; /* rp2040.ld, rp2350.ld */
 
 /* For entry.S, which has the third: a semihosting call (Arm, "Semihosting for AArch32 and AArch64"). */
-_Noreturn void rp2040_start(void);
-_Noreturn void rp2040_fault(uint32_t pc, uint32_t called_from);
-void rp2040_semihosting(uint32_t operation, uint32_t reason);
+_Noreturn void rp2_start(void);
+_Noreturn void rp2_fault(uint32_t pc, uint32_t called_from);
+void rp2_semihosting(uint32_t operation, uint32_t reason);
 int main(void);
 
 static void put_hex(uint32_t value)
@@ -26,16 +26,16 @@ static void put_hex(uint32_t value)
 
 static _Noreturn void stop(void)
 {
-    rp2040_watchdog_stop();
+    rp2_watchdog_stop();
     for (;;) {
         cpu_interrupts_off();
         __asm volatile("wfi");
     }
 }
 
-void rp2040_fault(uint32_t pc, uint32_t called_from)
+void rp2_fault(uint32_t pc, uint32_t called_from)
 {
-    rp2040_dark();
+    rp2_dark();
     if (cpu_is_semihosting(pc)) {
         stop(); /* from port_exit, without a debugger */
     }
@@ -49,8 +49,8 @@ void rp2040_fault(uint32_t pc, uint32_t called_from)
 
 void port_exit(int status)
 {
-    rp2040_dark();
-    rp2040_semihosting(0x18, status == 0 ? 0x20026 : 0x20023); /* SYS_EXIT: application exit, or an error */
+    rp2_dark();
+    rp2_semihosting(0x18, status == 0 ? 0x20026 : 0x20023); /* SYS_EXIT: application exit, or an error */
     stop();
 }
 
@@ -65,20 +65,20 @@ uint32_t port_stack_used(void)
     return top - (uint32_t)(uintptr_t)low;
 }
 
-void rp2040_start(void)
+void rp2_start(void)
 {
-    const bool bit = rp2040_watchdog_bit();
-    rp2040_watchdog_stop();
-    rp2040_flash_open();
-    rp2040_clocks_init();
-    rp2040_uart_init();
+    const bool bit = rp2_watchdog_bit();
+    rp2_watchdog_stop();
+    rp2_flash_open();
+    rp2_clocks_init();
+    rp2_uart_init();
     if (bit) {
-        rp2040_dark();
+        rp2_dark();
         port_log("\r\nthe watchdog bit: a stack ran over, or a core hangs\r\n");
         stop();
     }
-    rp2040_guard((uint32_t)(uintptr_t)ld_stack - (1U << GUARD_BYTES_LOG2), GUARD_BYTES_LOG2);
-    rp2040_watchdog_start();
+    rp2_guard((uint32_t)(uintptr_t)ld_stack - (1U << GUARD_BYTES_LOG2), GUARD_BYTES_LOG2);
+    rp2_watchdog_start();
     port_exit(main());
     stop();
 }

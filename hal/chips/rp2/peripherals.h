@@ -2,8 +2,8 @@
  * peripherals: what the RP2040 and the RP2350 have in common. The chip's registers.h gives the base addresses and the
  * rest; offsets, bits and names are those of both datasheets, whose sections registers.h names.
  */
-#ifndef RP2040_PERIPHERALS_H
-#define RP2040_PERIPHERALS_H
+#ifndef RP2_PERIPHERALS_H
+#define RP2_PERIPHERALS_H
 
 #include <stdint.h>
 
@@ -96,7 +96,7 @@ enum { SSPSR_TNF = 2, SSPSR_BSY = 16, SSPCR1_SSE = 2, SSPDMACR_TXDMAE = 2 };
 #define DMA_INTS0                  0x5000040c
 enum { DMA_EN = 1, DMA_HALFWORDS = 1 << 2, DMA_INCR_READ = 1 << 4 };
 
-#define TICK_CYCLES (CLK_HZ / 10) /* from tick to tick of each core, see rp2040.h: 100 ms */
+#define TICK_CYCLES (CLK_HZ / 10) /* from tick to tick of each core, see rp2.h: 100 ms */
 
 /* The crystal has 12 MHz. A PLL makes 12 MHz x 125 = 1500 MHz of it, which two post dividers make slower. */
 static inline void start_pll(uint32_t pll, uint32_t reset, uint32_t post_dividers)
