@@ -15,14 +15,15 @@
 #include "scene_file.h"
 #include "self_test.h"
 
-#define SECOND_US 1000000U
+#define SECOND_MS 1000U
 #define CHARGE_US 20000U /* a button's line reads released after this time: 100 nF and 80 kOhm take 8 ms to 2 V */
 
 struct console {
     bool holding;
     bool reporting;      /* a report was asked for */
     uint32_t buttons;    /* for the next frame */
-    uint32_t line_us;    /* when it last wrote a line about frames */
+    uint32_t counted_us; /* until when time is counted */
+    uint32_t passed_ms;  /* since it last wrote a line about frames; UINT32_MAX: so long or longer */
     uint32_t line_frame; /* the next frame then */
 };
 
@@ -67,12 +68,21 @@ static bool obey(struct console *console, int byte)
     return byte == 'H' || byte == 'G' || byte == 'R';
 }
 
+/* Counts the time that has passed. Call it often: time_us begins anew after 71 minutes, and a hold may take longer. */
+static void count_time(struct console *console, const struct hal *hal)
+{
+    const uint32_t ms = (hal->ops->time_us(hal->context) - console->counted_us) / 1000;
+    console->counted_us += ms * 1000;
+    console->passed_ms = ms < UINT32_MAX - console->passed_ms ? console->passed_ms + ms : UINT32_MAX;
+}
+
 /* Reads all characters that wait. While the console holds, it reads on until the next frame is asked for. */
-static void listen(struct console *console)
+static void listen(struct console *console, const struct hal *hal)
 {
     bool next = !console->holding;
     console->buttons = 0;
     for (int byte = port_log_read(); byte >= 0 || !next; byte = port_log_read()) {
+        count_time(console, hal);
         if (byte >= 0 && obey(console, byte)) {
             return;
         }
@@ -99,13 +109,13 @@ static int draw(struct runner *runner, const struct console *console, uint32_t f
 
 static void report(const struct runner *runner, struct console *console, uint32_t frame)
 {
-    const uint32_t now = runner->hal.ops->time_us(runner->hal.context), passed = now - console->line_us;
-    if (!console->holding && passed < SECOND_US) {
+    count_time(console, &runner->hal);
+    if (!console->holding && console->passed_ms < SECOND_MS) {
         return;
     }
-    const uint32_t frames = frame + 1 - console->line_frame, ms = passed / 1000;
-    log_frame(runner, frame, ms > 0 ? frames * 1000 / ms : 0);
-    console->line_us = now;
+    const uint32_t frames = frame + 1 - console->line_frame;
+    log_frame(runner, frame, console->passed_ms > 0 ? frames * 1000 / console->passed_ms : 0);
+    console->passed_ms = 0;
     console->line_frame = frame + 1;
 }
 
@@ -140,11 +150,11 @@ static int write_report(struct runner *runner, struct console *console, uint32_t
 
 static int run(struct runner *runner)
 {
-    struct console console = {.line_us = runner->hal.ops->time_us(runner->hal.context)};
+    struct console console = {.counted_us = runner->hal.ops->time_us(runner->hal.context)};
     int status = 0;
     log_demo(runner);
     for (uint32_t frame = 0; status == 0; frame++) {
-        listen(&console);
+        listen(&console, &runner->hal);
         if (console.reporting) {
             status = write_report(runner, &console, frame);
             frame--;
