@@ -26,7 +26,7 @@ STD = -std=c11 $(WARN)
 # A target is chosen by path: a file under firmware/core/kernels/$(CPU)/ replaces the portable one of the same name, and a
 # library that this machine lacks is replaced by the folder that does without it.
 have = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo y)
-ASSIMP ?= $(if $(and $(call have,assimp),$(call have,libcjson)),assimp,noassimp)
+ASSIMP ?= $(if $(call have,assimp),assimp,noassimp)
 PNG ?= $(if $(call have,libpng),png,nopng)
 JPEG ?= $(if $(and $(filter png,$(PNG)),$(call have,libjpeg)),jpeg,nojpeg)
 JPEG := $(JPEG)
@@ -48,7 +48,7 @@ GPIOD_CFLAGS := $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --cflags 
 MESHOPT ?= $(if $(and $(filter assimp,$(ASSIMP)),$(wildcard /usr/include/meshoptimizer.h /usr/local/include/meshoptimizer.h)),meshopt,nomeshopt)
 MESHOPT := $(MESHOPT)
 SPIDEV := $(shell $(CC) $(CPPFLAGS) $(CFLAGS) -E -include linux/spi/spidev.h -x c /dev/null >/dev/null 2>&1 && echo y)
-SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp libcjson)) \
+SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
             $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) $(if $(filter jpeg,$(JPEG)),$(shell pkg-config --libs libjpeg)) \
             $(if $(filter meshopt,$(MESHOPT)),-lmeshoptimizer) \
             $(if $(filter gif,$(GIF)),-lgif) \

@@ -14,7 +14,7 @@ time_s=${FUZZ_S:-120}
 
 echo 'int LLVMFuzzerTestOneInput(const char *d, long n); int LLVMFuzzerTestOneInput(const char *d, long n) { return n > 0 && *d > 200; }' >"$dir/probe.c"
 clang -fsanitize=fuzzer -o "$dir/probe" "$dir/probe.c" 2>/dev/null || { skip "libFuzzer finds nothing" "no clang with libFuzzer" && tap_end; }
-pkg-config --exists libcjson assimp libpng libjpeg || { skip "libFuzzer finds nothing" "no libcjson, assimp, libpng or libjpeg" && tap_end; }
+pkg-config --exists assimp libpng libjpeg || { skip "libFuzzer finds nothing" "no assimp, libpng or libjpeg" && tap_end; }
 
 compile() { # program, flags and files...
     clang -std=c11 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -DLIBFUZZER -Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards \
@@ -26,7 +26,7 @@ build() { # what is not named here comes from the libraries, without sanitizers
         compile uf2 -Ihost-sim/flash -Itests/support tests/host-sim/fuzz_uf2.c tests/support/uf2_make.c host-sim/flash/flash_file.c host-sim/flash/flash_image.c host-sim/flash/flash_uf2.c firmware/app/crc32.c &&
         compile gltf -Ihost-sim/model -Ihost-sim/model/assimp -Ihost-sim/model/gltf tests/host-sim/fuzz_gltf.c host-sim/model/gltf/*.c \
             host-sim/model/assimp/model_{meshes,places,surface,shared,camera,folder}.c host-sim/model/model_texture.c host-sim/picture/picture_in.c host-sim/picture/{png,jpeg}/*_in.c \
-            "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -lcjson -lpng -ljpeg -lm
+            "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -lpng -ljpeg -lm
 }
 build || exit 1
 

@@ -17,7 +17,7 @@ if "$asset" README.md --report 2>&1 | grep -q 'without assimp'; then echo "built
 
 include='-Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards -Iboards/none -Ihost-sim/common -Ihost-sim/picture -Ihost-sim/asset -Ihost-sim/model -Ihost-sim/sim -Ihost-sim/controllers'
 strict='-std=c11 -Wall -Wextra -Wshadow -Wconversion -Wundef -Wcast-qual -Wpedantic -Werror'
-read -ra libraries < <({ for l in assimp libcjson libpng libjpeg sdl2 libgpiod libusb-1.0; do pkg-config --libs "$l" 2>/dev/null; done && { [ ! -e /usr/include/meshoptimizer.h ] || echo -lmeshoptimizer; } && { [ ! -e /usr/include/gif_lib.h ] || echo -lgif; }; } | xargs)
+read -ra libraries < <({ for l in assimp libpng libjpeg sdl2 libgpiod libusb-1.0; do pkg-config --libs "$l" 2>/dev/null; done && { [ ! -e /usr/include/meshoptimizer.h ] || echo -lmeshoptimizer; } && { [ ! -e /usr/include/gif_lib.h ] || echo -lgif; }; } | xargs)
 
 sphere() { # rings: smooth, 4 rings^2 triangles and some
     awk -v n="$1" 'BEGIN {

@@ -3,7 +3,6 @@
 #include "model_files.h"
 
 #include <assimp/cimport.h> /* tests/run.sh skips this program where a library is not installed */
-#include <cjson/cJSON.h>
 #include <png.h>
 
 #include <stdarg.h>

@@ -32,46 +32,46 @@ static struct gltf_span none(void)
     return (struct gltf_span){NULL, 0};
 }
 
-const struct cJSON *gltf_file_item(const struct gltf_file *file, enum gltf_list list, uint32_t i)
+const struct gltf_json *gltf_file_item(const struct gltf_file *file, enum gltf_list list, uint32_t i)
 {
     return i < file->lists[list].count ? file->lists[list].items[i] : NULL;
 }
 
-uint32_t gltf_file_whole(const struct cJSON *object, const char *key, uint32_t otherwise)
+uint32_t gltf_file_whole(const struct gltf_json *object, const char *key, uint32_t otherwise)
 {
-    const struct cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
+    const struct gltf_json *item = gltf_json_get(object, key);
     if (item == NULL) {
         return otherwise;
     }
-    const double value = cJSON_IsNumber(item) ? item->valuedouble : -1;
+    const double value = gltf_json_is(item, GLTF_JSON_NUMBER) ? item->number : -1;
     return value >= 0 && value < GLTF_NONE && value == floor(value) ? (uint32_t)value : GLTF_NONE;
 }
 
 bool gltf_file_uses(const struct gltf_file *file, const char *extension)
 {
-    const struct cJSON *item, *list = cJSON_GetObjectItemCaseSensitive(file->json, "extensionsUsed");
+    const struct gltf_json *item, *list = gltf_json_get(file->json, "extensionsUsed");
     bool is_used = false;
-    cJSON_ArrayForEach(item, list)
+    GLTF_JSON_EACH(item, list)
     {
-        is_used = is_used || (cJSON_IsString(item) && strcmp(item->valuestring, extension) == 0);
+        is_used = is_used || (gltf_json_is(item, GLTF_JSON_STRING) && strcmp(item->text, extension) == 0);
     }
     return is_used;
 }
 
-double gltf_file_number(const struct cJSON *object, const char *key, double otherwise)
+double gltf_file_number(const struct gltf_json *object, const char *key, double otherwise)
 {
-    const struct cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
-    return cJSON_IsNumber(item) ? item->valuedouble : otherwise;
+    const struct gltf_json *item = gltf_json_get(object, key);
+    return gltf_json_is(item, GLTF_JSON_NUMBER) ? item->number : otherwise;
 }
 
-bool gltf_file_vector(const struct cJSON *object, const char *key, unsigned n, double *to)
+bool gltf_file_vector(const struct gltf_json *object, const char *key, unsigned n, double *to)
 {
-    const struct cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
-    if (!cJSON_IsArray(item) || cJSON_GetArraySize(item) != (int)n) {
+    const struct gltf_json *item = gltf_json_get(object, key);
+    if (!gltf_json_is(item, GLTF_JSON_ARRAY) || item->count != n) {
         return false;
     }
     for (item = item->child; item != NULL; item = item->next) {
-        *to++ = cJSON_IsNumber(item) ? item->valuedouble : 0;
+        *to++ = gltf_json_is(item, GLTF_JSON_NUMBER) ? item->number : 0;
     }
     return true;
 }
@@ -170,8 +170,8 @@ struct gltf_span gltf_file_uri(struct gltf_file *file, const char *uri)
 
 static struct gltf_span read_buffer(struct gltf_file *file, uint32_t i)
 {
-    const struct cJSON *buffer = gltf_file_item(file, GLTF_BUFFERS, i);
-    const struct cJSON *uri = cJSON_GetObjectItemCaseSensitive(buffer, "uri");
+    const struct gltf_json *buffer = gltf_file_item(file, GLTF_BUFFERS, i);
+    const struct gltf_json *uri = gltf_json_get(buffer, "uri");
     const uint32_t length = gltf_file_whole(buffer, "byteLength", GLTF_NONE);
     const double said = gltf_file_number(buffer, "byteLength", -1);
     if (said > MODEL_FILE_MAX) {
@@ -182,13 +182,13 @@ static struct gltf_span read_buffer(struct gltf_file *file, uint32_t i)
         gltf_file_failed(file, "buffer %u is missing, or has no length", i);
         return none();
     }
-    const struct cJSON *extensions = cJSON_GetObjectItemCaseSensitive(buffer, "extensions");
-    if (uri == NULL && cJSON_GetObjectItemCaseSensitive(extensions, "EXT_meshopt_compression") != NULL) {
+    const struct gltf_json *extensions = gltf_json_get(buffer, "extensions");
+    if (uri == NULL && gltf_json_get(extensions, "EXT_meshopt_compression") != NULL) {
         gltf_file_failed(file, "it is compressed (EXT_meshopt_compression), which is not read: export it without");
         return none();
     }
     if (file->buffers[i].bytes == NULL) {
-        const char *const text = cJSON_GetStringValue(uri);
+        const char *const text = gltf_json_text(uri);
         file->buffers[i] = text != NULL ? gltf_file_uri(file, text) : i == 0 ? file->glb : none();
     }
     if (file->buffers[i].bytes == NULL || file->buffers[i].n < length) {
@@ -200,7 +200,7 @@ static struct gltf_span read_buffer(struct gltf_file *file, uint32_t i)
 
 struct gltf_span gltf_file_view(struct gltf_file *file, uint32_t view)
 {
-    const struct cJSON *item = gltf_file_item(file, GLTF_VIEWS, view);
+    const struct gltf_json *item = gltf_file_item(file, GLTF_VIEWS, view);
     const struct gltf_span buffer = read_buffer(file, gltf_file_whole(item, "buffer", GLTF_NONE));
     const uint32_t offset = gltf_file_whole(item, "byteOffset", 0), n = gltf_file_whole(item, "byteLength", GLTF_NONE);
     if (buffer.bytes == NULL || n > buffer.n || offset > buffer.n - n) {
@@ -257,7 +257,7 @@ static float number_at(const uint8_t *p, uint32_t type, bool is_normalized)
 }
 
 /* Finds `count` elements from an offset of a view on. */
-static bool find_elements(struct gltf_file *file, const struct cJSON *from, struct elements *to)
+static bool find_elements(struct gltf_file *file, const struct gltf_json *from, struct elements *to)
 {
     const uint32_t view = gltf_file_whole(from, "bufferView", GLTF_NONE),
                    offset = gltf_file_whole(from, "byteOffset", 0);
@@ -279,31 +279,32 @@ static bool find_accessor(struct gltf_file *file, uint32_t i, struct elements *t
         const char *name;
         unsigned components;
     } types[] = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
-    const struct cJSON *item = gltf_file_item(file, GLTF_ACCESSORS, i);
-    const char *type = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(item, "type"));
+    const struct gltf_json *item = gltf_file_item(file, GLTF_ACCESSORS, i);
+    const char *type = gltf_json_text(gltf_json_get(item, "type"));
     *to = (struct elements){.count = gltf_file_whole(item, "count", GLTF_NONE),
                             .type = gltf_file_whole(item, "componentType", 0),
-                            .is_normalized = cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(item, "normalized"))};
+                            .is_normalized = gltf_json_is(gltf_json_get(item, "normalized"), GLTF_JSON_TRUE)};
     for (size_t k = 0; type != NULL && k < sizeof types / sizeof types[0]; k++) {
         to->components = strcmp(type, types[k].name) == 0 ? types[k].components : to->components;
     }
     if (to->components == 0 || to->count == 0 || to->count > GLTF_COUNT_MAX || bytes_of(to->type) == 0) {
         return gltf_file_failed(file, "accessor %u is missing, or has a type or count that cannot be", i);
     }
-    return cJSON_GetObjectItemCaseSensitive(item, "bufferView") == NULL || find_elements(file, item, to);
+    return gltf_json_get(item, "bufferView") == NULL || find_elements(file, item, to);
 }
 
 /* Puts the values of a sparse accessor into their places. */
-static bool add_sparse(struct gltf_file *file, const struct cJSON *sparse, const struct elements *all, float *numbers)
+static bool add_sparse(struct gltf_file *file, const struct gltf_json *sparse, const struct elements *all,
+                       float *numbers)
 {
-    const struct cJSON *places = cJSON_GetObjectItemCaseSensitive(sparse, "indices");
+    const struct gltf_json *places = gltf_json_get(sparse, "indices");
     struct elements at = {.count = gltf_file_whole(sparse, "count", GLTF_NONE),
                           .type = gltf_file_whole(places, "componentType", 0),
                           .components = 1};
     struct elements values = *all;
     values.count = at.count;
     if (at.count > all->count || at.type == 5126 || !find_elements(file, places, &at) ||
-        !find_elements(file, cJSON_GetObjectItemCaseSensitive(sparse, "values"), &values)) {
+        !find_elements(file, gltf_json_get(sparse, "values"), &values)) {
         return gltf_file_failed(file, "a sparse accessor is broken");
     }
     for (uint32_t i = 0; i < at.count; i++) {
@@ -325,8 +326,7 @@ float *gltf_file_numbers(struct gltf_file *file, uint32_t accessor, unsigned com
     if (!find_accessor(file, accessor, &from)) {
         return NULL;
     }
-    const struct cJSON *sparse =
-        cJSON_GetObjectItemCaseSensitive(gltf_file_item(file, GLTF_ACCESSORS, accessor), "sparse");
+    const struct gltf_json *sparse = gltf_json_get(gltf_file_item(file, GLTF_ACCESSORS, accessor), "sparse");
     float *numbers = calloc((size_t)from.count * from.components, sizeof *numbers);
     if (from.components != components || numbers == NULL) {
         gltf_file_failed(file, "accessor %u has not the %u components that its use asks for", accessor, components);
@@ -365,9 +365,9 @@ uint32_t *gltf_file_indices(struct gltf_file *file, uint32_t accessor, uint32_t 
 static bool find_lists(struct gltf_file *file)
 {
     for (int list = 0; list < GLTF_LISTS; list++) {
-        const struct cJSON *array = cJSON_GetObjectItemCaseSensitive(file->json, list_names[list]);
-        const struct cJSON *item = cJSON_IsArray(array) ? array->child : NULL;
-        const size_t n = item != NULL ? (size_t)cJSON_GetArraySize(array) : 0;
+        const struct gltf_json *array = gltf_json_get(file->json, list_names[list]);
+        const struct gltf_json *item = gltf_json_is(array, GLTF_JSON_ARRAY) ? array->child : NULL;
+        const size_t n = item != NULL ? array->count : 0;
         file->lists[list].items = calloc(n + 1, sizeof(void *));
         file->lists[list].count = (uint32_t)n;
         for (size_t i = 0; file->lists[list].items != NULL && item != NULL; i++, item = item->next) {
@@ -383,16 +383,16 @@ static bool check_required(struct gltf_file *file)
 {
     static const char *const known[] = {"KHR_texture_transform", "KHR_materials_unlit", "KHR_mesh_quantization",
                                         "KHR_lights_punctual"};
-    const struct cJSON *item, *list = cJSON_GetObjectItemCaseSensitive(file->json, "extensionsRequired");
-    cJSON_ArrayForEach(item, list)
+    const struct gltf_json *item, *list = gltf_json_get(file->json, "extensionsRequired");
+    GLTF_JSON_EACH(item, list)
     {
         bool is_known = false;
-        for (size_t i = 0; cJSON_IsString(item) && i < sizeof known / sizeof known[0]; i++) {
-            is_known = is_known || strcmp(item->valuestring, known[i]) == 0;
+        for (size_t i = 0; gltf_json_is(item, GLTF_JSON_STRING) && i < sizeof known / sizeof known[0]; i++) {
+            is_known = is_known || strcmp(item->text, known[i]) == 0;
         }
         if (!is_known) {
             return gltf_file_failed(file, "it needs the extension %.60s, which is not read: export it without",
-                                    cJSON_IsString(item) ? item->valuestring : "?");
+                                    gltf_json_is(item, GLTF_JSON_STRING) ? item->text : "?");
         }
     }
     return true;
@@ -436,11 +436,13 @@ bool gltf_file_open(struct gltf_file *file, struct model_folder *folder)
     if (all.bytes == NULL || !split_chunks(file, all, &json)) {
         return false;
     }
-    file->json = cJSON_ParseWithLength((const char *)json.bytes, json.n);
-    const struct cJSON *asset = cJSON_GetObjectItemCaseSensitive(file->json, "asset");
-    const char *version = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(asset, "version"));
+    const char *why = NULL;
+    size_t at = 0;
+    file->json = gltf_json_parse((char *)(uintptr_t)json.bytes, json.n, &why, &at);
+    const struct gltf_json *asset = gltf_json_get(file->json, "asset");
+    const char *version = gltf_json_text(gltf_json_get(asset, "version"));
     if (file->json == NULL) {
-        return gltf_file_failed(file, "its JSON is broken");
+        return gltf_file_failed(file, "its JSON is broken at byte %zu: %s", at, why);
     }
     if (version == NULL || strncmp(version, "2.", 2) != 0) {
         return gltf_file_failed(file, "it is no glTF of version 2");

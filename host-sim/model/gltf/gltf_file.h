@@ -8,9 +8,8 @@
 #ifndef GLTF_FILE_H
 #define GLTF_FILE_H
 
+#include "gltf_json.h"
 #include "model_folder.h"
-
-#include <cjson/cJSON.h>
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -41,10 +40,10 @@ enum gltf_list {
 
 struct gltf_file {
     struct model_folder *folder;
-    struct cJSON *json;
+    struct gltf_json *json;
     struct gltf_span glb; /* the binary chunk of a GLB */
     struct {
-        const struct cJSON **items;
+        const struct gltf_json **items;
         uint32_t count;
     } lists[GLTF_LISTS];
     struct gltf_span *buffers; /* read when first asked for */
@@ -70,19 +69,19 @@ float *gltf_file_numbers(struct gltf_file *file, uint32_t accessor, unsigned com
 uint32_t *gltf_file_indices(struct gltf_file *file, uint32_t accessor, uint32_t *count);
 
 /* Item i of a list. NULL: there is none. */
-const struct cJSON *gltf_file_item(const struct gltf_file *file, enum gltf_list list, uint32_t i);
+const struct gltf_json *gltf_file_item(const struct gltf_file *file, enum gltf_list list, uint32_t i);
 
 /* A whole number below 2^32 - 1 of an object, or `otherwise` where the object or the number is missing. A number of
  * another kind gives GLTF_NONE. */
-uint32_t gltf_file_whole(const struct cJSON *object, const char *key, uint32_t otherwise);
+uint32_t gltf_file_whole(const struct gltf_json *object, const char *key, uint32_t otherwise);
 
 /* Whether the file says that it uses an extension. */
 bool gltf_file_uses(const struct gltf_file *file, const char *extension);
 
 /* Any number of an object, or `otherwise`. */
-double gltf_file_number(const struct cJSON *object, const char *key, double otherwise);
+double gltf_file_number(const struct gltf_json *object, const char *key, double otherwise);
 
 /* Reads n numbers of an array in an object; leaves `to` as it is where they are not there. */
-bool gltf_file_vector(const struct cJSON *object, const char *key, unsigned n, double *to);
+bool gltf_file_vector(const struct gltf_json *object, const char *key, unsigned n, double *to);
 
 #endif

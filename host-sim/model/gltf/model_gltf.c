@@ -38,10 +38,10 @@ struct reader {
     bool has_alphas;          /* some vertex colours are not opaque */
 };
 
-static bool read_attribute(struct gltf_file *file, const struct cJSON *attributes, const char *name,
+static bool read_attribute(struct gltf_file *file, const struct gltf_json *attributes, const char *name,
                            unsigned components, uint32_t *vertex_count, float **to)
 {
-    const struct cJSON *item = cJSON_GetObjectItemCaseSensitive(attributes, name);
+    const struct gltf_json *item = gltf_json_get(attributes, name);
     uint32_t count = 0;
     if (item == NULL) {
         return true;
@@ -56,37 +56,37 @@ static bool read_attribute(struct gltf_file *file, const struct cJSON *attribute
 
 #define TYPE_FLOAT 5126
 
-static bool has_integers(const struct gltf_file *file, const struct cJSON *attributes, const char *name)
+static bool has_integers(const struct gltf_file *file, const struct gltf_json *attributes, const char *name)
 {
-    const struct cJSON *from = gltf_file_item(file, GLTF_ACCESSORS, gltf_file_whole(attributes, name, GLTF_NONE));
+    const struct gltf_json *from = gltf_file_item(file, GLTF_ACCESSORS, gltf_file_whole(attributes, name, GLTF_NONE));
     return gltf_file_whole(from, "componentType", TYPE_FLOAT) != TYPE_FLOAT;
 }
 
-static bool read_colours(struct gltf_file *file, const struct cJSON *attributes, struct primitive *p)
+static bool read_colours(struct gltf_file *file, const struct gltf_json *attributes, struct primitive *p)
 {
     static const char name[] = "COLOR_0";
-    const struct cJSON *from = gltf_file_item(file, GLTF_ACCESSORS, gltf_file_whole(attributes, name, GLTF_NONE));
-    const char *type = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(from, "type"));
+    const struct gltf_json *from = gltf_file_item(file, GLTF_ACCESSORS, gltf_file_whole(attributes, name, GLTF_NONE));
+    const char *type = gltf_json_text(gltf_json_get(from, "type"));
     p->channels = type != NULL && strcmp(type, "VEC4") == 0 ? 4 : 3;
     return read_attribute(file, attributes, name, p->channels, &p->vertex_count, &p->colours);
 }
 
-static bool read_moved(struct gltf_file *file, const struct cJSON *from, const struct cJSON *attributes,
+static bool read_moved(struct gltf_file *file, const struct gltf_json *from, const struct gltf_json *attributes,
                        struct primitive *p)
 {
-    const struct cJSON *item, *targets = cJSON_GetObjectItemCaseSensitive(from, "targets");
+    const struct gltf_json *item, *targets = gltf_json_get(from, "targets");
     struct model_gltf_moved *m = &p->moved;
     if (!read_attribute(file, attributes, "JOINTS_0", 4, &p->vertex_count, &m->joints) ||
         !read_attribute(file, attributes, "WEIGHTS_0", 4, &p->vertex_count, &m->weights)) {
         return false;
     }
-    const int count = cJSON_IsArray(targets) ? cJSON_GetArraySize(targets) : 0;
+    const uint32_t count = gltf_json_is(targets, GLTF_JSON_ARRAY) ? targets->count : 0;
     m->targets = calloc((size_t)count + 1, sizeof *m->targets);
     m->target_normals = calloc((size_t)count + 1, sizeof *m->target_normals);
     if (m->targets == NULL || m->target_normals == NULL || count > MODEL_GLTF_TARGETS_MAX) {
         return gltf_file_failed(file, "a mesh has more than %d morph targets", MODEL_GLTF_TARGETS_MAX);
     }
-    cJSON_ArrayForEach(item, targets)
+    GLTF_JSON_EACH(item, targets)
     {
         if (!read_attribute(file, item, "POSITION", 3, &p->vertex_count, &m->targets[m->target_count]) ||
             !read_attribute(file, item, "NORMAL", 3, &p->vertex_count, &m->target_normals[m->target_count])) {
@@ -136,17 +136,17 @@ static bool make_triangles(struct gltf_file *file, struct primitive *p, const ui
     return true;
 }
 
-static bool read_primitive(struct reader *reader, const struct cJSON *from, struct primitive *p)
+static bool read_primitive(struct reader *reader, const struct gltf_json *from, struct primitive *p)
 {
     struct gltf_file *file = reader->file;
-    const struct cJSON *attributes = cJSON_GetObjectItemCaseSensitive(from, "attributes");
+    const struct gltf_json *attributes = gltf_json_get(from, "attributes");
     const uint32_t mode = gltf_file_whole(from, "mode", 4), indices = gltf_file_whole(from, "indices", GLTF_NONE);
     const uint32_t materials = file->lists[GLTF_MATERIALS].count;
     *p = (struct primitive){.material = gltf_file_whole(from, "material", materials)};
     if (mode < 4) {
         return true; /* points and lines */
     }
-    if (mode > 6 || (p->material >= materials && cJSON_GetObjectItemCaseSensitive(from, "material") != NULL)) {
+    if (mode > 6 || (p->material >= materials && gltf_json_get(from, "material") != NULL)) {
         return gltf_file_failed(file, "a primitive has a mode or a material that is not there");
     }
     char name[24];
@@ -162,7 +162,7 @@ static bool read_primitive(struct reader *reader, const struct cJSON *from, stru
     reader->has_whole_positions = reader->has_whole_positions || has_integers(file, attributes, "POSITION");
     reader->has_alphas = reader->has_alphas || has_alphas(p);
     uint32_t n = p->vertex_count, *list = NULL;
-    if (cJSON_GetObjectItemCaseSensitive(from, "indices") != NULL) {
+    if (gltf_json_get(from, "indices") != NULL) {
         list = gltf_file_indices(file, indices, &n);
         if (list == NULL) {
             return false;
@@ -320,10 +320,9 @@ static bool read_meshes(struct reader *reader)
 {
     const uint32_t count = reader->file->lists[GLTF_MESHES].count;
     for (uint32_t m = 0; m < count; m++) {
-        const struct cJSON *item,
-            *list = cJSON_GetObjectItemCaseSensitive(gltf_file_item(reader->file, GLTF_MESHES, m), "primitives");
+        const struct gltf_json *item, *list = gltf_json_get(gltf_file_item(reader->file, GLTF_MESHES, m), "primitives");
         reader->first_mesh[m] = reader->mesh_count;
-        cJSON_ArrayForEach(item, list)
+        GLTF_JSON_EACH(item, list)
         {
             struct primitive p;
             if (!read_primitive(reader, item, &p)) {
@@ -357,7 +356,7 @@ static void set_matrix(struct aiMatrix4x4 *to, const double m[16])
 }
 
 /* Reads the matrix of a node, or makes it of translation, rotation and scale. */
-static void read_matrix(const struct cJSON *node, struct aiMatrix4x4 *to)
+static void read_matrix(const struct gltf_json *node, struct aiMatrix4x4 *to)
 {
     double m[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     double q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
@@ -375,12 +374,12 @@ static void read_matrix(const struct cJSON *node, struct aiMatrix4x4 *to)
     set_matrix(to, m);
 }
 
-static bool read_children(struct reader *reader, const struct cJSON *list, struct aiNode *to, unsigned depth);
+static bool read_children(struct reader *reader, const struct gltf_json *list, struct aiNode *to, unsigned depth);
 
 static bool read_node(struct reader *reader, uint32_t i, struct aiNode *to, unsigned depth)
 {
     struct gltf_file *file = reader->file;
-    const struct cJSON *node = gltf_file_item(file, GLTF_NODES, i);
+    const struct gltf_json *node = gltf_file_item(file, GLTF_NODES, i);
     const uint32_t mesh = gltf_file_whole(node, "mesh", GLTF_NONE), meshes = file->lists[GLTF_MESHES].count;
     if (node == NULL || depth > DEPTH_MAX || reader->is_child[i]++) {
         return gltf_file_failed(file, "node %u is missing, has two parents or lies too deep", i);
@@ -388,10 +387,10 @@ static bool read_node(struct reader *reader, uint32_t i, struct aiNode *to, unsi
     reader->nodes[i].drawn = to;
     read_matrix(node, &to->mTransformation);
     if (gltf_file_whole(node, "camera", GLTF_NONE) == 0) {
-        const char *name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(node, "name"));
+        const char *name = gltf_json_text(gltf_json_get(node, "name"));
         snprintf(to->mName.data, sizeof to->mName.data, "%.100s", name != NULL && *name != '\0' ? name : "0");
     }
-    if (cJSON_GetObjectItemCaseSensitive(node, "mesh") != NULL) {
+    if (gltf_json_get(node, "mesh") != NULL) {
         if (mesh >= meshes) {
             return gltf_file_failed(file, "node %u has a mesh that is not there", i);
         }
@@ -401,22 +400,22 @@ static bool read_node(struct reader *reader, uint32_t i, struct aiNode *to, unsi
             to->mMeshes[k] = reader->first_mesh[mesh] + k;
         }
     }
-    return read_children(reader, cJSON_GetObjectItemCaseSensitive(node, "children"), to, depth + 1);
+    return read_children(reader, gltf_json_get(node, "children"), to, depth + 1);
 }
 
 /* Recursive, at most DEPTH_MAX deep. */
-static bool read_children(struct reader *reader, const struct cJSON *list, struct aiNode *to, unsigned depth)
+static bool read_children(struct reader *reader, const struct gltf_json *list, struct aiNode *to, unsigned depth)
 {
-    const size_t n = cJSON_IsArray(list) ? (size_t)cJSON_GetArraySize(list) : 0;
+    const size_t n = gltf_json_is(list, GLTF_JSON_ARRAY) ? list->count : 0;
     struct aiNode *nodes = calloc(n + 1, sizeof *nodes);
     to->mChildren = calloc(n + 1, sizeof *to->mChildren);
     if (nodes == NULL || to->mChildren == NULL) {
         return gltf_file_failed(reader->file, "it needs too much memory");
     }
-    const struct cJSON *item = n > 0 ? list->child : NULL;
+    const struct gltf_json *item = n > 0 ? list->child : NULL;
     for (; item != NULL; item = item->next) {
         struct aiNode *child = &nodes[to->mNumChildren];
-        const double i = cJSON_IsNumber(item) ? item->valuedouble : -1;
+        const double i = gltf_json_is(item, GLTF_JSON_NUMBER) ? item->number : -1;
         if (!read_node(reader, i >= 0 && i < GLTF_NONE ? (uint32_t)i : GLTF_NONE, child, depth)) {
             return false;
         }
@@ -436,9 +435,9 @@ static const char *find_camera_node(const struct aiNode *node)
 
 static bool read_camera(struct gltf_file *file, struct aiScene *scene)
 {
-    const struct cJSON *from = gltf_file_item(file, GLTF_CAMERAS, 0);
-    const struct cJSON *lens = cJSON_GetObjectItemCaseSensitive(from, "perspective");
-    const struct cJSON *box = cJSON_GetObjectItemCaseSensitive(from, "orthographic");
+    const struct gltf_json *from = gltf_file_item(file, GLTF_CAMERAS, 0);
+    const struct gltf_json *lens = gltf_json_get(from, "perspective");
+    const struct gltf_json *box = gltf_json_get(from, "orthographic");
     struct aiCamera *camera = calloc(1, sizeof *camera);
     scene->mCameras = calloc(1, sizeof *scene->mCameras);
     if (camera == NULL || scene->mCameras == NULL) {
@@ -464,21 +463,21 @@ static bool read_scene(struct reader *reader, struct aiScene *scene)
 {
     struct gltf_file *file = reader->file;
     const uint32_t first = gltf_file_whole(file->json, "scene", 0);
-    const struct cJSON *from = gltf_file_item(file, GLTF_SCENES, first);
+    const struct gltf_json *from = gltf_file_item(file, GLTF_SCENES, first);
     struct aiNode *root = calloc(1, sizeof *root);
     const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     if (from == NULL || root == NULL) {
         return gltf_file_failed(file, "it has no scene to show");
     }
     set_matrix(&root->mTransformation, identity);
-    const struct cJSON *extensions = cJSON_GetObjectItemCaseSensitive(file->json, "extensions");
-    const struct cJSON *lights = cJSON_GetObjectItemCaseSensitive(extensions, "KHR_lights_punctual");
+    const struct gltf_json *extensions = gltf_json_get(file->json, "extensions");
+    const struct gltf_json *lights = gltf_json_get(extensions, "KHR_lights_punctual");
     scene->mRootNode = root;
     scene->mMeshes = reader->meshes;
     scene->mNumMeshes = reader->mesh_count;
     scene->mNumMaterials = file->lists[GLTF_MATERIALS].count + 1;
     scene->mNumLights = lights != NULL;
-    return read_children(reader, cJSON_GetObjectItemCaseSensitive(from, "nodes"), root, 0) &&
+    return read_children(reader, gltf_json_get(from, "nodes"), root, 0) &&
            (file->lists[GLTF_CAMERAS].count == 0 || read_camera(file, scene));
 }
 

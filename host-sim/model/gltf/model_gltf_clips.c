@@ -89,9 +89,9 @@ static bool pack(struct model_shared *shared, struct channel *c, uint8_t time_sh
     return true;
 }
 
-static bool find_word(const struct cJSON *object, const char *key, const char *const *words, uint8_t *to)
+static bool find_word(const struct gltf_json *object, const char *key, const char *const *words, uint8_t *to)
 {
-    const char *text = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(object, key));
+    const char *text = gltf_json_text(gltf_json_get(object, key));
     for (uint8_t i = 0; text != NULL && words[i] != NULL; i++) {
         if (strcmp(text, words[i]) == 0) {
             *to = i;
@@ -102,17 +102,17 @@ static bool find_word(const struct cJSON *object, const char *key, const char *c
 }
 
 /* Reads a channel. keys 0: nothing of the scene moves by it. False: file->error. */
-static bool read_channel(struct model_gltf_motion *motion, const struct cJSON *animation, const struct cJSON *from,
-                         double unit, struct channel *c)
+static bool read_channel(struct model_gltf_motion *motion, const struct gltf_json *animation,
+                         const struct gltf_json *from, double unit, struct channel *c)
 {
     static const char *const paths[] = {"translation", "rotation", "scale", "weights", NULL};
     static const char *const ways[] = {"STEP", "LINEAR", "CUBICSPLINE", NULL};
     struct gltf_file *file = motion->file;
-    const struct cJSON *target = cJSON_GetObjectItemCaseSensitive(from, "target");
-    const struct cJSON *samplers = cJSON_GetObjectItemCaseSensitive(animation, "samplers");
+    const struct gltf_json *target = gltf_json_get(from, "target");
+    const struct gltf_json *samplers = gltf_json_get(animation, "samplers");
     const uint32_t number = gltf_file_whole(target, "node", GLTF_NONE),
                    at = gltf_file_whole(from, "sampler", GLTF_NONE);
-    const struct cJSON *sampler = at < 1000000 ? cJSON_GetArrayItem(samplers, (int)at) : NULL;
+    const struct gltf_json *sampler = at < 1000000 ? gltf_json_at(samplers, at) : NULL;
     *c = (struct channel){.track = {.path = 255, .interpolation = PH_KEYS_LINEAR}};
     if (sampler == NULL || !find_word(sampler, "interpolation", ways, &c->track.interpolation)) {
         return gltf_file_failed(file, "an animation has a sampler that is not there, or of another kind");
@@ -143,12 +143,12 @@ static bool read_channel(struct model_gltf_motion *motion, const struct cJSON *a
     return true;
 }
 
-static bool read_clip(struct model_shared *shared, const struct cJSON *animation, uint32_t index, double unit,
+static bool read_clip(struct model_shared *shared, const struct gltf_json *animation, uint32_t index, double unit,
                       struct ph_clip *clip)
 {
-    const struct cJSON *item, *list = cJSON_GetObjectItemCaseSensitive(animation, "channels");
-    const size_t n = cJSON_IsArray(list) ? (size_t)cJSON_GetArraySize(list) : 0;
-    const char *text = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(animation, "name"));
+    const struct gltf_json *item, *list = gltf_json_get(animation, "channels");
+    const size_t n = gltf_json_is(list, GLTF_JSON_ARRAY) ? list->count : 0;
+    const char *text = gltf_json_text(gltf_json_get(animation, "name"));
     struct channel *channels = calloc(n + 1, sizeof *channels);
     struct ph_track *tracks = demo_alloc(&shared->arena, sizeof *tracks * (n + 1));
     char *name = demo_alloc(&shared->arena, 64);
@@ -159,7 +159,7 @@ static bool read_clip(struct model_shared *shared, const struct cJSON *animation
     snprintf(name, 64, text != NULL && *text != '\0' ? "%.60s" : "%.0sclip %u", text != NULL ? text : "", index);
     *clip = (struct ph_clip){.name = name, .tracks = tracks};
     size_t count = 0;
-    cJSON_ArrayForEach(item, list)
+    GLTF_JSON_EACH(item, list)
     {
         if (!read_channel(shared->motion, animation, item, unit, &channels[count])) {
             return false;

@@ -84,11 +84,11 @@ static bool mirror(struct picture_in *in, int along)
 /* Reads the picture of a texture of this number; its name is for notes. NULL, or why there is none. */
 static const char *load_picture(struct gltf_file *file, uint32_t number, struct model_surface *to)
 {
-    const struct cJSON *texture = gltf_file_item(file, GLTF_TEXTURES, number);
+    const struct gltf_json *texture = gltf_file_item(file, GLTF_TEXTURES, number);
     const uint32_t i = gltf_file_whole(texture, "source", GLTF_NONE);
-    const struct cJSON *image = gltf_file_item(file, GLTF_IMAGES, i);
-    const char *uri = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(image, "uri"));
-    const char *name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(image, "name"));
+    const struct gltf_json *image = gltf_file_item(file, GLTF_IMAGES, i);
+    const char *uri = gltf_json_text(gltf_json_get(image, "uri"));
+    const char *name = gltf_json_text(gltf_json_get(image, "name"));
     const bool is_file = uri != NULL && strncmp(uri, "data:", 5) != 0;
     if (is_file || name != NULL) {
         snprintf(to->name, sizeof to->name, "%.100s", is_file ? uri : name);
@@ -114,10 +114,9 @@ static const char *load_picture(struct gltf_file *file, uint32_t number, struct 
 }
 
 /* KHR_texture_transform: offset, rotation and scale, in this order from the left. */
-static void read_transform(const struct cJSON *info, struct model_gltf_uv *uv)
+static void read_transform(const struct gltf_json *info, struct model_gltf_uv *uv)
 {
-    const struct cJSON *from =
-        cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItemCaseSensitive(info, "extensions"), "KHR_texture_transform");
+    const struct gltf_json *from = gltf_json_get(gltf_json_get(info, "extensions"), "KHR_texture_transform");
     double offset[2] = {0, 0}, scale[2] = {1, 1};
     gltf_file_vector(from, "offset", 2, offset);
     gltf_file_vector(from, "scale", 2, scale);
@@ -128,7 +127,7 @@ static void read_transform(const struct cJSON *info, struct model_gltf_uv *uv)
 }
 
 /* Wrap modes; a mirrored picture is doubled, and its coordinates are halved. */
-static void read_wrap(struct model_shared *shared, const struct cJSON *sampler, struct model_surface *to,
+static void read_wrap(struct model_shared *shared, const struct gltf_json *sampler, struct model_surface *to,
                       struct model_gltf_uv *uv)
 {
     static const char *const keys[2] = {"wrapS", "wrapT"};
@@ -149,7 +148,7 @@ static void read_wrap(struct model_shared *shared, const struct cJSON *sampler, 
 }
 
 /* The filter that comes nearest to a sampler's: levels are for texels that are not magnified by the nearest one. */
-static uint8_t filter_of(const struct cJSON *sampler)
+static uint8_t filter_of(const struct gltf_json *sampler)
 {
     const uint32_t larger = gltf_file_whole(sampler, "magFilter", 0),
                    smaller = gltf_file_whole(sampler, "minFilter", 0);
@@ -159,14 +158,14 @@ static uint8_t filter_of(const struct cJSON *sampler)
                                                    : PH_FILTER_NEAREST;
 }
 
-static void read_texture(struct model_shared *shared, struct gltf_file *file, const struct cJSON *info,
+static void read_texture(struct model_shared *shared, struct gltf_file *file, const struct gltf_json *info,
                          const double factor[3], struct model_surface *to, struct model_gltf_uv *uv)
 {
     if (info == NULL) {
         return;
     }
     const uint32_t i = gltf_file_whole(info, "index", GLTF_NONE), count = file->lists[GLTF_TEXTURES].count;
-    const struct cJSON *texture = gltf_file_item(file, GLTF_TEXTURES, i);
+    const struct gltf_json *texture = gltf_file_item(file, GLTF_TEXTURES, i);
     if (i == GLTF_NONE) {
         model_shared_note(shared, "a material has a texture without an index");
         return;
@@ -184,13 +183,14 @@ static void read_texture(struct model_shared *shared, struct gltf_file *file, co
         multiply(&to->picture.picture, factor);
     }
     read_transform(info, uv);
-    const struct cJSON *sampler = gltf_file_item(file, GLTF_SAMPLERS, gltf_file_whole(texture, "sampler", GLTF_NONE));
+    const struct gltf_json *sampler =
+        gltf_file_item(file, GLTF_SAMPLERS, gltf_file_whole(texture, "sampler", GLTF_NONE));
     read_wrap(shared, sampler, to, uv);
     to->filter = filter_of(sampler);
 }
 
 /* Reads the emissive texture, which needs the texture's own coordinates. */
-static void read_glow(struct model_shared *shared, struct gltf_file *file, const struct cJSON *emissive,
+static void read_glow(struct model_shared *shared, struct gltf_file *file, const struct gltf_json *emissive,
                       const double glow[3], struct model_surface *to, struct model_gltf_uv *uv)
 {
     struct model_surface from = {.is_unlit = true};
@@ -216,15 +216,15 @@ static void read_glow(struct model_shared *shared, struct gltf_file *file, const
 }
 
 /* Reads the pictures of a material. What emits light by a picture and is black otherwise is that picture, unlit. */
-static void read_pictures(struct model_shared *shared, struct gltf_file *file, const struct cJSON *from,
+static void read_pictures(struct model_shared *shared, struct gltf_file *file, const struct gltf_json *from,
                           const double factor[4], double glow[3], struct model_surface *to, struct model_gltf_uv *uv)
 {
-    const struct cJSON *pbr = cJSON_GetObjectItemCaseSensitive(from, "pbrMetallicRoughness");
-    const struct cJSON *emissive = cJSON_GetObjectItemCaseSensitive(from, "emissiveTexture");
+    const struct gltf_json *pbr = gltf_json_get(from, "pbrMetallicRoughness");
+    const struct gltf_json *emissive = gltf_json_get(from, "emissiveTexture");
     const bool glows = emissive != NULL && glow[0] + glow[1] + glow[2] > 0 && !to->is_unlit;
     const bool is_black = factor[0] + factor[1] + factor[2] == 0;
     if (!glows || !is_black) {
-        read_texture(shared, file, cJSON_GetObjectItemCaseSensitive(pbr, "baseColorTexture"), factor, to, uv);
+        read_texture(shared, file, gltf_json_get(pbr, "baseColorTexture"), factor, to, uv);
     }
     if (!glows) {
         return;
@@ -240,51 +240,50 @@ static void read_pictures(struct model_shared *shared, struct gltf_file *file, c
 }
 
 /* Says what the material asks for and does not get: each kind once. */
-static void note_ignored(struct model_shared *shared, const struct cJSON *from)
+static void note_ignored(struct model_shared *shared, const struct gltf_json *from)
 {
     static const char *const read[] = {"KHR_materials_unlit", "KHR_materials_emissive_strength"};
-    const struct cJSON *pbr = cJSON_GetObjectItemCaseSensitive(from, "pbrMetallicRoughness"), *extension;
-    if (cJSON_GetObjectItemCaseSensitive(from, "normalTexture") != NULL) {
+    const struct gltf_json *pbr = gltf_json_get(from, "pbrMetallicRoughness"), *extension;
+    if (gltf_json_get(from, "normalTexture") != NULL) {
         model_shared_note(shared, "normal maps are ignored");
     }
-    if (cJSON_GetObjectItemCaseSensitive(from, "occlusionTexture") != NULL) {
+    if (gltf_json_get(from, "occlusionTexture") != NULL) {
         model_shared_note(shared, "occlusion maps are ignored");
     }
-    if (cJSON_GetObjectItemCaseSensitive(pbr, "metallicRoughnessTexture") != NULL) {
+    if (gltf_json_get(pbr, "metallicRoughnessTexture") != NULL) {
         model_shared_note(shared, "maps of metal and roughness are ignored");
     }
-    cJSON_ArrayForEach(extension, cJSON_GetObjectItemCaseSensitive(from, "extensions"))
+    GLTF_JSON_EACH(extension, gltf_json_get(from, "extensions"))
     {
-        const char *name = extension->string;
+        const char *name = extension->key;
         if (name != NULL && strcmp(name, read[0]) != 0 && strcmp(name, read[1]) != 0) {
             model_shared_note(shared, "%.60s is ignored", name);
         }
     }
 }
 
-static enum model_alpha read_mode(const struct cJSON *from)
+static enum model_alpha read_mode(const struct gltf_json *from)
 {
-    const char *mode = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(from, "alphaMode"));
+    const char *mode = gltf_json_text(gltf_json_get(from, "alphaMode"));
     return mode == NULL                 ? MODEL_OPAQUE
            : strcmp(mode, "MASK") == 0  ? MODEL_MASK
            : strcmp(mode, "BLEND") == 0 ? MODEL_BLEND
                                         : MODEL_OPAQUE;
 }
 
-static bool read_material(struct model_shared *shared, struct gltf_file *file, const struct cJSON *from,
+static bool read_material(struct model_shared *shared, struct gltf_file *file, const struct gltf_json *from,
                           struct model_material *to, struct model_gltf_uv *uv)
 {
-    const struct cJSON *pbr = cJSON_GetObjectItemCaseSensitive(from, "pbrMetallicRoughness");
-    const struct cJSON *extensions = cJSON_GetObjectItemCaseSensitive(from, "extensions");
-    const struct cJSON *strength = cJSON_GetObjectItemCaseSensitive(extensions, "KHR_materials_emissive_strength");
+    const struct gltf_json *pbr = gltf_json_get(from, "pbrMetallicRoughness");
+    const struct gltf_json *extensions = gltf_json_get(from, "extensions");
+    const struct gltf_json *strength = gltf_json_get(extensions, "KHR_materials_emissive_strength");
     const double times = gltf_file_number(strength, "emissiveStrength", 1);
     double *factor = uv->factor, glow[3] = {0, 0, 0};
     note_ignored(shared, from);
     gltf_file_vector(pbr, "baseColorFactor", 4, factor);
     gltf_file_vector(from, "emissiveFactor", 3, glow);
-    struct model_surface surface = {.two_sided = cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(from, "doubleSided")),
-                                    .is_unlit =
-                                        cJSON_GetObjectItemCaseSensitive(extensions, "KHR_materials_unlit") != NULL,
+    struct model_surface surface = {.two_sided = gltf_json_is(gltf_json_get(from, "doubleSided"), GLTF_JSON_TRUE),
+                                    .is_unlit = gltf_json_get(extensions, "KHR_materials_unlit") != NULL,
                                     .mode = read_mode(from),
                                     .alpha = factor[3],
                                     .cutoff = gltf_file_number(from, "alphaCutoff", .5)};

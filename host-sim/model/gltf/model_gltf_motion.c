@@ -75,7 +75,7 @@ static void from_columns(matrix to, const float *m)
 /* ---- nodes ------------------------------------------------------------------------------------------------------- */
 
 /* The inverse bind matrices of a skin; NULL: there are none. */
-static float *bind_matrices(struct gltf_file *file, const struct cJSON *skin, uint32_t joints)
+static float *bind_matrices(struct gltf_file *file, const struct gltf_json *skin, uint32_t joints)
 {
     const uint32_t accessor = gltf_file_whole(skin, "inverseBindMatrices", GLTF_NONE);
     uint32_t count = 0;
@@ -87,13 +87,13 @@ static float *bind_matrices(struct gltf_file *file, const struct cJSON *skin, ui
 }
 
 /* Reads the joints of a skin, numbers of nodes in the scene. 0: file->error. */
-static uint32_t read_joints(struct model_gltf_motion *motion, const struct cJSON *skin, uint32_t *to)
+static uint32_t read_joints(struct model_gltf_motion *motion, const struct gltf_json *skin, uint32_t *to)
 {
-    const struct cJSON *item, *list = cJSON_GetObjectItemCaseSensitive(skin, "joints");
+    const struct gltf_json *item, *list = gltf_json_get(skin, "joints");
     uint32_t count = 0;
-    cJSON_ArrayForEach(item, list)
+    GLTF_JSON_EACH(item, list)
     {
-        const double i = cJSON_IsNumber(item) ? item->valuedouble : -1;
+        const double i = gltf_json_is(item, GLTF_JSON_NUMBER) ? item->number : -1;
         if (!(i >= 0 && i < motion->file->lists[GLTF_NODES].count) || count == JOINTS_MAX ||
             motion->nodes[(uint32_t)i].drawn == NULL) {
             gltf_file_failed(motion->file, "a skin has a joint that is not in the scene, or more than %d", JOINTS_MAX);
@@ -107,7 +107,7 @@ static uint32_t read_joints(struct model_gltf_motion *motion, const struct cJSON
     return count;
 }
 
-static const struct cJSON *skin_of(const struct model_gltf_motion *motion, uint32_t node)
+static const struct gltf_json *skin_of(const struct model_gltf_motion *motion, uint32_t node)
 {
     return gltf_file_item(motion->file, GLTF_SKINS, gltf_file_whole(motion->nodes[node].json, "skin", GLTF_NONE));
 }
@@ -116,9 +116,9 @@ static const struct cJSON *skin_of(const struct model_gltf_motion *motion, uint3
 static bool move_skinned(struct model_gltf_motion *motion, struct aiNode *root, uint32_t i)
 {
     struct model_gltf_node *node = &motion->nodes[i];
-    const struct cJSON *skin = skin_of(motion, i);
+    const struct gltf_json *skin = skin_of(motion, i);
     uint32_t joints[JOINTS_MAX];
-    if (skin == NULL && cJSON_GetObjectItemCaseSensitive(node->json, "skin") != NULL) {
+    if (skin == NULL && gltf_json_get(node->json, "skin") != NULL) {
         return gltf_file_failed(motion->file, "node %u has a skin that is not there", i);
     }
     if (skin == NULL || node->drawn->mNumMeshes == 0) {
@@ -168,14 +168,14 @@ static void find_order(struct model_gltf_motion *motion, uint32_t count)
         motion->nodes[i].parent = -1;
     }
     for (uint32_t i = 0; i < count; i++) {
-        const struct cJSON *item, *list;
+        const struct gltf_json *item, *list;
         motion->nodes[i].json = gltf_file_item(motion->file, GLTF_NODES, i);
-        list = cJSON_GetObjectItemCaseSensitive(motion->nodes[i].json, "children");
-        cJSON_ArrayForEach(item, list)
+        list = gltf_json_get(motion->nodes[i].json, "children");
+        GLTF_JSON_EACH(item, list)
         {
-            if (motion->nodes[i].drawn != NULL && cJSON_IsNumber(item) && item->valuedouble >= 0 &&
-                item->valuedouble < count) {
-                motion->nodes[(uint32_t)item->valuedouble].parent = (int32_t)i;
+            if (motion->nodes[i].drawn != NULL && gltf_json_is(item, GLTF_JSON_NUMBER) && item->number >= 0 &&
+                item->number < count) {
+                motion->nodes[(uint32_t)item->number].parent = (int32_t)i;
             }
         }
     }
@@ -186,11 +186,10 @@ static void find_order(struct model_gltf_motion *motion, uint32_t count)
         }
     }
     for (uint32_t k = 0; k < motion->node_count; k++) {
-        const struct cJSON *item,
-            *list = cJSON_GetObjectItemCaseSensitive(motion->nodes[motion->order[k]].json, "children");
-        cJSON_ArrayForEach(item, list)
+        const struct gltf_json *item, *list = gltf_json_get(motion->nodes[motion->order[k]].json, "children");
+        GLTF_JSON_EACH(item, list)
         {
-            motion->order[motion->node_count++] = (uint32_t)item->valuedouble;
+            motion->order[motion->node_count++] = (uint32_t)item->number;
         }
     }
 }
@@ -295,16 +294,16 @@ static bool read_weights(struct model_shared *shared, struct animation *to)
         to->weight_count = 0;
         for (uint32_t k = 0; k < motion->node_count; k++) {
             struct model_gltf_node *node = &motion->nodes[motion->order[k]];
-            const struct cJSON *mesh =
+            const struct gltf_json *mesh =
                 gltf_file_item(motion->file, GLTF_MESHES, gltf_file_whole(node->json, "mesh", GLTF_NONE));
-            const struct cJSON *own = cJSON_GetObjectItemCaseSensitive(node->json, "weights"),
-                               *list = own != NULL ? own : cJSON_GetObjectItemCaseSensitive(mesh, "weights");
+            const struct gltf_json *own = gltf_json_get(node->json, "weights"),
+                                   *list = own != NULL ? own : gltf_json_get(mesh, "weights");
             const struct aiNode *drawn = node->drawn;
             node->weight_count = drawn->mNumMeshes > 0 ? motion->moved[drawn->mMeshes[0]].target_count : 0;
             node->first_weight = to->weight_count;
             for (uint32_t i = 0; pass == 1 && i < node->weight_count; i++) {
-                const struct cJSON *item = cJSON_GetArrayItem(list, (int)i);
-                weights[to->weight_count + i] = q24(cJSON_IsNumber(item) ? item->valuedouble : 0);
+                const struct gltf_json *item = gltf_json_at(list, i);
+                weights[to->weight_count + i] = q24(gltf_json_is(item, GLTF_JSON_NUMBER) ? item->number : 0);
             }
             to->weight_count += node->weight_count;
         }
@@ -377,7 +376,7 @@ static void set_bind(struct ph_xform *to, const double (*back)[4], const float *
 static bool set_skin(struct model_shared *shared, uint32_t node, const double (*back)[4], struct ph_skin *skin)
 {
     struct model_gltf_motion *motion = shared->motion;
-    const struct cJSON *json = skin_of(motion, node);
+    const struct gltf_json *json = skin_of(motion, node);
     uint32_t joints[JOINTS_MAX] = {node};
     const uint32_t count = json != NULL ? read_joints(motion, json, joints) : 1;
     const float *bind = json != NULL ? bind_matrices(motion->file, json, count) : NULL;

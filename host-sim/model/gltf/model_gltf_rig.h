@@ -22,7 +22,7 @@ struct model_gltf_moved {
 
 /* A node of the file. */
 struct model_gltf_node {
-    const struct cJSON *json;
+    const struct gltf_json *json;
     struct aiNode *drawn; /* draws its mesh; NULL: it is not in the scene */
     int32_t parent;       /* -1: none */
     double world[3][4];   /* its place in the rest pose, without the root's transform */

@@ -13,7 +13,7 @@ int model_open(struct model **model, const char *path, const struct model_option
     if (option_text_ends(path, ".phs")) {
         return model_scene_open(model, path);
     }
-    return complain("model %s: this program was built without assimp; install libassimp-dev and libcjson-dev (Debian) "
+    return complain("model %s: this program was built without assimp; install libassimp-dev (Debian) "
                     "and make again",
                     path);
 }
