@@ -25,9 +25,9 @@
  * A model may name files of its own folder and below: buffers, pictures, materials. One that leads out of it (../,
  * an absolute path, a link) is an error unless options allow it: what a stranger's model names ends in an image.
  *
- * assimp/ does it with libassimp; noassimp/ says what to install. A child process with limits
- * of time and memory reads the file into shared memory: a file that crashes or hangs the reader costs one line, not the
- * program.
+ * A reader for each format makes a scene (model_scene.h), of which the meshes are made. gltf/ has that of glTF and GLB;
+ * assimp/ reads other formats by libassimp, and noassimp/ says what to install. A child process with limits of time and
+ * memory does it in shared memory: a file that crashes or hangs the reader costs one line, not the program.
  */
 #ifndef MODEL_H
 #define MODEL_H

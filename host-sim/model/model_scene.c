@@ -1,104 +1,37 @@
 #include "model_scene.h"
 
-#include "complain.h"
-#include "scene_file.h"
-
-#include <errno.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-/* One block of memory: this, the bytes of the file, the arena of what is made of them. */
-struct scene {
-    struct model model;
-    struct model_motion motion;
-    struct demo_arena arena;
-};
-
-#define ROUND16(n) (((n) + 15) & ~(size_t)15)
-
-/* Reads the whole file behind `before` bytes. NULL, after complaining. */
-static uint8_t *read_behind(const char *path, size_t before, size_t *n)
+bool model_scene_moves(const struct model_scene *scene)
 {
-    FILE *file = fopen(path, "rb");
-    const long size = file != NULL && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-    if (size < 0 || size > (long)MODEL_FILE_MAX) {
-        complain("model %s: %s", path, size < 0 ? strerror(errno) : "is too large");
-        if (file != NULL) {
-            fclose(file);
-        }
-        return NULL;
-    }
-    uint8_t *memory = calloc(1, before + (size_t)size);
-    const bool is_whole = memory != NULL && fseek(file, 0, SEEK_SET) == 0 &&
-                          fread(memory + before, 1, (size_t)size, file) == (size_t)size;
-    fclose(file);
-    if (!is_whole) {
-        complain("model %s: cannot be read, or not enough memory", path);
-        free(memory);
-        return NULL;
-    }
-    *n = (size_t)size;
-    return memory;
-}
-
-/* Makes the meshes in their bind pose, and all clips. False: the arena is full. */
-static bool make_model(struct scene *scene, const struct scene_file_head *file)
-{
-    struct model *model = &scene->model;
-    *model = (struct model){.meshes = scene_file_meshes(file, &scene->arena),
-                            .mesh_count = file->mesh_count,
-                            .has_camera = (file->flags & SCENE_FILE_CAMERA) != 0,
-                            .camera = scene_file_eye(file),
-                            .scene = file};
-    if (file->motion == 0 || model->meshes == NULL) {
-        return model->meshes != NULL;
-    }
-    const struct scene_file_motion *from = (const void *)((const uint8_t *)file + file->motion);
-    const struct animation *animation = scene_motion_make(file, &scene->arena);
-    struct ph_clip *clips = demo_alloc(&scene->arena, sizeof *clips * from->clip_count);
-    const struct animation_stage *stage =
-        animation != NULL ? animation_begin(&scene->arena, animation, model->meshes, model->mesh_count) : NULL;
-    bool is_done = clips != NULL && stage != NULL;
-    for (uint32_t i = 0; i < from->clip_count && is_done; i++) {
-        is_done = scene_motion_clip(file, i, &scene->arena, &clips[i]);
-    }
-    if (is_done) {
-        scene->motion = (struct model_motion){.animation = *animation, .clips = clips, .clip_count = from->clip_count};
-        scene->motion.animation.clip = from->clip_count > 0 ? &clips[from->playing] : NULL;
-        model->motion = &scene->motion;
-        model->meshes = stage->meshes;
-    }
-    return is_done;
-}
-
-int model_scene_open(struct model **model, const char *path)
-{
-    const size_t head = ROUND16(sizeof(struct scene));
-    size_t n = 0;
-    uint8_t *memory = read_behind(path, head, &n);
-    const char *why = memory != NULL ? scene_file_wrong(memory + head, n) : NULL;
-    if (memory == NULL || why != NULL) {
-        free(memory);
-        return memory == NULL ? COMPLAINED : complain("model %s: %s", path, why);
-    }
-    const size_t tables =
-        8 * n + 4096; /* nothing becomes more than 8 times as long, but where things share their data */
-    uint8_t *larger = realloc(memory, head + ROUND16(n) + tables);
-    memory = larger != NULL ? larger : memory;
-    struct scene *scene = (struct scene *)(void *)memory;
-    scene->arena = (struct demo_arena){.base = memory + head + ROUND16(n), .size = larger != NULL ? tables : 0};
-    if (!make_model(scene, (const void *)(memory + head))) {
-        free(memory);
-        return complain("model %s: not enough memory", path);
-    }
-    for (uint32_t m = 0; m < scene->model.mesh_count; m++) {
-        const struct ph_mesh *mesh = &scene->model.meshes[m];
-        scene->model.triangle_count += mesh->triangle_count;
-        if (mesh->vertex_count > scene->model.vertex_max) {
-            scene->model.vertex_max = mesh->vertex_count;
+    for (uint32_t m = 0; m < scene->mesh_count; m++) {
+        if (scene->meshes[m].moved.target_count > 0) {
+            return true;
         }
     }
-    *model = &scene->model;
-    return 0;
+    return scene->skin_count > 0 || scene->clip_count > 0;
+}
+
+uint32_t model_scene_next(const struct model_scene *scene, uint32_t node)
+{
+    if (node == MODEL_NONE) {
+        return scene->first_node;
+    }
+    if (scene->nodes[node].child != MODEL_NONE) {
+        return scene->nodes[node].child;
+    }
+    while (node != MODEL_NONE && scene->nodes[node].next == MODEL_NONE) {
+        node = scene->nodes[node].parent;
+    }
+    return node != MODEL_NONE ? scene->nodes[node].next : MODEL_NONE;
+}
+
+void model_scene_multiply(double to[3][4], double (*parent)[4], const float (*local)[4])
+{
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 4; column++) {
+            to[row][column] = column == 3 ? parent[row][3] : 0;
+            for (int k = 0; k < 3; k++) {
+                to[row][column] += parent[row][k] * (double)local[k][column];
+            }
+        }
+    }
 }

@@ -8,9 +8,9 @@
  */
 #define _GNU_SOURCE /* memfd_create */
 
-#include "gltf_file.h"
 #include "model_gltf.h"
 #include "model_meshes.h"
+#include "model_rig.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -42,16 +42,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) /* see long_libfuzz
 {
     static uint8_t memory[64 << 20];
     char path[40];
-    struct gltf_file file;
+    struct model_scene scene = {.root = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, .first_node = MODEL_NONE};
     struct model_shared shared = {.arena = {.base = memory, .size = sizeof memory}, .folder.model = path};
     const int fd = put_file(data, size, path);
-    if (gltf_file_open(&file, &shared.folder)) {
-        struct model_gltf_uv *uvs = calloc(file.lists[GLTF_MATERIALS].count + 1, sizeof *uvs);
-        const struct model_material *materials = model_gltf_materials(&shared, &file, uvs);
-        const struct aiScene *scene = materials != NULL ? model_gltf_read(&shared, &file, uvs) : NULL;
-        if (scene != NULL) {
-            model_meshes_read(&shared, scene, materials);
-        }
+    if (model_gltf_read(&shared, &scene) && model_rig_find(&shared, &scene)) {
+        model_meshes_read(&shared, &scene);
     }
     close(fd);
     return 0;

@@ -24,8 +24,8 @@ compile() { # program, flags and files...
 build() { # what is not named here comes from the libraries, without sanitizers
     make -s -j2 B="$B" "$B/pinhole-sim" &&
         compile uf2 -Ihost-sim/flash -Itests/support tests/host-sim/fuzz_uf2.c tests/support/uf2_make.c host-sim/flash/flash_file.c host-sim/flash/flash_image.c host-sim/flash/flash_uf2.c firmware/app/crc32.c &&
-        compile gltf -Ihost-sim/model -Ihost-sim/model/assimp -Ihost-sim/model/gltf tests/host-sim/fuzz_gltf.c host-sim/model/gltf/*.c \
-            host-sim/model/assimp/model_{meshes,places,surface,shared,camera,folder}.c host-sim/model/model_texture.c host-sim/picture/picture_in.c host-sim/picture/{png,jpeg}/*_in.c \
+        compile gltf -Ihost-sim/model -Ihost-sim/model/gltf tests/host-sim/fuzz_gltf.c host-sim/model/gltf/*.c \
+            host-sim/model/model_{meshes,places,surface,shared,camera,folder,scene,rig,rig_clips,texture}.c host-sim/picture/picture_in.c host-sim/picture/{png,jpeg}/*_in.c \
             "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -lpng -ljpeg -lm
 }
 build || exit 1

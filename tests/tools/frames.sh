@@ -4,7 +4,7 @@
 #   frames_program folder variable=value...   makes the simulator in this build directory, with what the frames need alone
 
 frames_program() {
-    make -s -j2 B="$1" ASSIMP=noassimp PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb ROOMS="common controllers model picture asset sim" "${@:2}" \
+    make -s -j2 B="$1" ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb ROOMS="common controllers model picture asset sim" "${@:2}" \
         "$1/pinhole-sim"
 }
 

@@ -9,7 +9,7 @@ B=${B:-build}
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 
-run() { make -j2 B="$B/make" ASSIMP=noassimp PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb "$@"; }
+run() { make -j2 B="$B/make" ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb "$@"; }
 
 help_names_the_targets() {
     local target text
@@ -69,7 +69,7 @@ boards_come_from_elsewhere() {
     rm -rf "${B:?}/make-boards" # a folder that was used before names boards that are gone
     mkdir -p "$dir/kits/my-kit" "$dir/empty"
     sed 's/"rpi-pirate-audio"/"my-kit"/; s/board_rpi_pirate_audio/board_my_kit/' boards/rpi-pirate-audio/board.c >"$dir/kits/my-kit/board.c"
-    make -s -j2 B="$B/make-boards" ASSIMP=noassimp PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb CFLAGS=-O0 \
+    make -s -j2 B="$B/make-boards" ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb CFLAGS=-O0 \
         BOARD_DIR="$dir/kits" "$B/make-boards/pinhole-sim" || return 1
     "$B/make-boards/pinhole-sim" --list | grep '^board  my-kit ' &&
         "$B/make-boards/pinhole-sim" --board my-kit --demo testcard --crc | grep 'frame 0' || return 1

@@ -14,7 +14,7 @@ stage=$dir/stage
 export PKG_CONFIG_PATH=$stage/lib/pkgconfig
 version=$(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
 
-run() { make -s -j2 B="$B/package" ASSIMP=noassimp PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb "$@"; }
+run() { make -s -j2 B="$B/package" ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb "$@"; }
 
 installs() { run install PREFIX="$stage"; }
 
@@ -136,7 +136,7 @@ esp_idf_builds() { # what ESP-IDF's function does with the component, for RISC-V
 
 tarball_builds() {
     empty_folder tar && tar -xzf "$B/package/dist/pinhole-$version.tar.gz" && cd "pinhole-$version" &&
-        make -s -j2 B=build ASSIMP=noassimp PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb build/pinhole-sim && build/pinhole-sim --demo cube --crc | diff - <("$stage/bin/pinhole-sim" --demo cube --crc)
+        make -s -j2 B=build ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb build/pinhole-sim && build/pinhole-sim --demo cube --crc | diff - <("$stage/bin/pinhole-sim" --demo cube --crc)
 }
 
 # The window shows the picture that the core draws: SDL's own BMP against a program that counts pixels band by band.

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define DEPTH_MAX 500 /* of nodes */
+#define DEPTH_MAX   500 /* of nodes */
+#define TARGETS_MAX 200 /* of a mesh */
 
 /* A vertex as it is compared with others. */
 struct vertex {
@@ -21,19 +22,16 @@ struct primitive {
     uint32_t *indices;                          /* three for each triangle */
     uint32_t vertex_count, triangle_count, material;
     unsigned channels; /* of a colour: 3 or 4 */
-    struct model_gltf_moved moved;
+    struct model_moved moved;
 };
 
 struct reader {
     struct gltf_file *file;
     const struct model_gltf_uv *uvs;
-    struct aiMesh **meshes;
-    struct model_gltf_moved *moved; /* of each */
-    struct model_gltf_node *nodes;
-    uint32_t mesh_count, mesh_room;
+    struct model_scene *scene;
+    uint32_t mesh_room;
     uint64_t triangle_count;
     uint32_t *first_mesh;     /* of each mesh of the file, and one more */
-    uint8_t *is_child;        /* of each node: it has a parent already */
     bool has_whole_positions; /* some positions are integers */
     bool has_alphas;          /* some vertex colours are not opaque */
 };
@@ -75,7 +73,7 @@ static bool read_moved(struct gltf_file *file, const struct gltf_json *from, con
                        struct primitive *p)
 {
     const struct gltf_json *item, *targets = gltf_json_get(from, "targets");
-    struct model_gltf_moved *m = &p->moved;
+    struct model_moved *m = &p->moved;
     if (!read_attribute(file, attributes, "JOINTS_0", 4, &p->vertex_count, &m->joints) ||
         !read_attribute(file, attributes, "WEIGHTS_0", 4, &p->vertex_count, &m->weights)) {
         return false;
@@ -83,8 +81,8 @@ static bool read_moved(struct gltf_file *file, const struct gltf_json *from, con
     const uint32_t count = gltf_json_is(targets, GLTF_JSON_ARRAY) ? targets->count : 0;
     m->targets = calloc((size_t)count + 1, sizeof *m->targets);
     m->target_normals = calloc((size_t)count + 1, sizeof *m->target_normals);
-    if (m->targets == NULL || m->target_normals == NULL || count > MODEL_GLTF_TARGETS_MAX) {
-        return gltf_file_failed(file, "a mesh has more than %d morph targets", MODEL_GLTF_TARGETS_MAX);
+    if (m->targets == NULL || m->target_normals == NULL || count > TARGETS_MAX) {
+        return gltf_file_failed(file, "a mesh has more than %d morph targets", TARGETS_MAX);
     }
     GLTF_JSON_EACH(item, targets)
     {
@@ -217,85 +215,72 @@ static uint32_t weld(struct welder *w, const struct vertex *v)
     }
 }
 
-static struct aiVector3D vector_of(const float *p)
-{
-    return (struct aiVector3D){p[0], p[1], p[2]};
-}
-
 /* The vertices of the welder as arrays of a mesh. */
-static bool fill_mesh(struct aiMesh *mesh, const struct welder *w, const struct primitive *p)
+static bool fill_mesh(struct model_mesh *mesh, const struct welder *w, const struct primitive *p)
 {
-    mesh->mVertices = calloc(w->count, sizeof *mesh->mVertices);
-    mesh->mNormals = p->normals != NULL ? calloc(w->count, sizeof *mesh->mNormals) : NULL;
-    mesh->mTextureCoords[0] = p->uvs != NULL ? calloc(w->count, sizeof *mesh->mTextureCoords[0]) : NULL;
-    mesh->mColors[0] = p->colours != NULL ? calloc(w->count, sizeof *mesh->mColors[0]) : NULL;
-    if (mesh->mVertices == NULL || (p->normals != NULL && mesh->mNormals == NULL) ||
-        (p->uvs != NULL && mesh->mTextureCoords[0] == NULL) || (p->colours != NULL && mesh->mColors[0] == NULL)) {
+    mesh->positions = calloc(w->count, sizeof *mesh->positions);
+    mesh->normals = p->normals != NULL ? calloc(w->count, sizeof *mesh->normals) : NULL;
+    mesh->uvs = p->uvs != NULL ? calloc(w->count, sizeof *mesh->uvs) : NULL;
+    mesh->colours = p->colours != NULL ? calloc(w->count, sizeof *mesh->colours) : NULL;
+    mesh->moved.sources = calloc(w->count, sizeof *mesh->moved.sources);
+    if (mesh->positions == NULL || (p->normals != NULL && mesh->normals == NULL) ||
+        (p->uvs != NULL && mesh->uvs == NULL) || (p->colours != NULL && mesh->colours == NULL) ||
+        mesh->moved.sources == NULL) {
         return false;
     }
     for (uint32_t i = 0; i < w->count; i++) {
         const struct vertex *v = &w->vertices[i];
-        mesh->mVertices[i] = vector_of(v->position);
-        if (mesh->mNormals != NULL) {
-            mesh->mNormals[i] = vector_of(v->normal);
+        memcpy(mesh->positions[i], v->position, sizeof v->position);
+        if (mesh->normals != NULL) {
+            memcpy(mesh->normals[i], v->normal, sizeof v->normal);
         }
-        if (mesh->mTextureCoords[0] != NULL) {
-            mesh->mTextureCoords[0][i] = (struct aiVector3D){v->uv[0], v->uv[1], 0};
+        if (mesh->uvs != NULL) {
+            memcpy(mesh->uvs[i], v->uv, sizeof v->uv);
         }
-        if (mesh->mColors[0] != NULL) {
-            mesh->mColors[0][i] = (struct aiColor4D){v->colour[0], v->colour[1], v->colour[2], 1};
+        if (mesh->colours != NULL) {
+            memcpy(mesh->colours[i], v->colour, sizeof v->colour);
         }
+        mesh->moved.sources[i] = v->source;
     }
-    mesh->mNumVertices = w->count;
-    mesh->mMaterialIndex = p->material;
+    mesh->vertex_count = w->count;
     return true;
 }
 
-static bool add_mesh(struct reader *reader, struct aiMesh *mesh, const struct model_gltf_moved *moved)
+/* The next mesh of the scene, with the material of the primitive. NULL: no memory. */
+static struct model_mesh *add_mesh(struct reader *reader, const struct primitive *p)
 {
-    if (reader->mesh_count == reader->mesh_room) {
+    struct model_scene *scene = reader->scene;
+    if (scene->mesh_count == reader->mesh_room) {
         reader->mesh_room = reader->mesh_room * 2 + 16;
-        struct aiMesh **more = realloc(reader->meshes, sizeof *more * reader->mesh_room);
-        struct model_gltf_moved *more_moved = realloc(reader->moved, sizeof *more_moved * reader->mesh_room);
-        reader->meshes = more != NULL ? more : reader->meshes;
-        reader->moved = more_moved != NULL ? more_moved : reader->moved;
-        if (more == NULL || more_moved == NULL) {
-            return false;
+        struct model_mesh *more = realloc(scene->meshes, sizeof *more * reader->mesh_room);
+        if (more == NULL) {
+            return NULL;
         }
+        scene->meshes = more;
     }
-    reader->moved[reader->mesh_count] = *moved;
-    reader->meshes[reader->mesh_count++] = mesh;
-    return true;
+    scene->meshes[scene->mesh_count] = (struct model_mesh){.material = p->material, .moved = p->moved};
+    return &scene->meshes[scene->mesh_count++];
 }
 
 /* Makes a mesh of triangles from *next on, as many as there are or as its vertices allow. */
 static bool make_mesh(struct reader *reader, const struct primitive *p, struct welder *w, uint32_t *next)
 {
-    struct aiMesh *mesh = calloc(1, sizeof *mesh);
-    const uint32_t rest = p->triangle_count - *next;
-    struct aiFace *faces = calloc(rest, sizeof *faces);
-    unsigned *indices = calloc((size_t)rest * 3, sizeof *indices);
-    if (mesh == NULL || faces == NULL || indices == NULL) {
+    struct model_mesh *mesh = add_mesh(reader, p);
+    uint32_t(*triangles)[3] = calloc(p->triangle_count - *next, sizeof *triangles);
+    if (mesh == NULL || triangles == NULL) {
         return false;
     }
     memset(w->table, 0, sizeof *w->table * (w->mask + 1));
     w->count = 0;
-    mesh->mFaces = faces;
+    mesh->triangles = triangles;
     for (; *next < p->triangle_count && w->count + 3 <= MODEL_VERTICES_MAX; ++*next) {
-        struct aiFace *face = &faces[mesh->mNumFaces];
-        *face = (struct aiFace){3, indices + 3 * (size_t)mesh->mNumFaces};
         for (int i = 0; i < 3; i++) {
             const struct vertex v = vertex_at(p, p->indices[3 * (size_t)*next + i], &reader->uvs[p->material]);
-            face->mIndices[i] = weld(w, &v);
+            triangles[mesh->triangle_count][i] = weld(w, &v);
         }
-        mesh->mNumFaces++;
+        mesh->triangle_count++;
     }
-    struct model_gltf_moved moved = p->moved;
-    moved.sources = calloc(w->count + 1, sizeof *moved.sources);
-    for (uint32_t i = 0; moved.sources != NULL && i < w->count; i++) {
-        moved.sources[i] = w->vertices[i].source;
-    }
-    return moved.sources != NULL && fill_mesh(mesh, w, p) && add_mesh(reader, mesh, &moved);
+    return fill_mesh(mesh, w, p);
 }
 
 static bool make_meshes(struct reader *reader, const struct primitive *p)
@@ -321,7 +306,7 @@ static bool read_meshes(struct reader *reader)
     const uint32_t count = reader->file->lists[GLTF_MESHES].count;
     for (uint32_t m = 0; m < count; m++) {
         const struct gltf_json *item, *list = gltf_json_get(gltf_file_item(reader->file, GLTF_MESHES, m), "primitives");
-        reader->first_mesh[m] = reader->mesh_count;
+        reader->first_mesh[m] = reader->scene->mesh_count;
         GLTF_JSON_EACH(item, list)
         {
             struct primitive p;
@@ -342,173 +327,198 @@ static bool read_meshes(struct reader *reader)
             free(p.indices);
         }
     }
-    reader->first_mesh[count] = reader->mesh_count;
+    reader->first_mesh[count] = reader->scene->mesh_count;
     return true;
 }
 
 /* ---- nodes ------------------------------------------------------------------------------------------------------- */
 
-static void set_matrix(struct aiMatrix4x4 *to, const double m[16])
+/* Translation, rotation and scale of a matrix; what it shears is lost. */
+static void take_apart(const double m[16], double t[3], double q[4], double s[3])
 {
-    *to = (struct aiMatrix4x4){
-        (float)m[0], (float)m[4], (float)m[8],  (float)m[12], (float)m[1], (float)m[5], (float)m[9], (float)m[13],
-        (float)m[2], (float)m[6], (float)m[10], (float)m[14], 0,           0,           0,           1};
+    double r[3][3]; /* columns */
+    const double cross =
+        m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+    for (int c = 0; c < 3; c++) {
+        t[c] = m[12 + c];
+        s[c] = sqrt(m[4 * c] * m[4 * c] + m[4 * c + 1] * m[4 * c + 1] + m[4 * c + 2] * m[4 * c + 2]);
+        s[c] = c == 0 && cross < 0 ? -s[c] : s[c];
+        for (int i = 0; i < 3; i++) {
+            r[c][i] = s[c] != 0 ? m[4 * c + i] / s[c] : c == i;
+        }
+    }
+    const double most = fmax(fmax(r[0][0] + r[1][1] + r[2][2], r[0][0]), fmax(r[1][1], r[2][2]));
+    if (most == r[0][0] + r[1][1] + r[2][2]) {
+        q[3] = 1 + most, q[0] = r[1][2] - r[2][1], q[1] = r[2][0] - r[0][2], q[2] = r[0][1] - r[1][0];
+        return;
+    }
+    const int i = most == r[0][0] ? 0 : most == r[1][1] ? 1 : 2, j = (i + 1) % 3, k = (i + 2) % 3;
+    q[i] = 1 + r[i][i] - r[j][j] - r[k][k];
+    q[j] = r[i][j] + r[j][i];
+    q[k] = r[i][k] + r[k][i];
+    q[3] = r[j][k] - r[k][j];
 }
 
 /* Reads the matrix of a node, or makes it of translation, rotation and scale. */
-static void read_matrix(const struct gltf_json *node, struct aiMatrix4x4 *to)
+static void read_matrix(const struct gltf_json *from, struct model_node *to)
 {
     double m[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    double q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
-    if (!gltf_file_vector(node, "matrix", 16, m)) {
-        gltf_file_vector(node, "translation", 3, m + 12);
-        gltf_file_vector(node, "rotation", 4, q);
-        gltf_file_vector(node, "scale", 3, s);
+    const double *const q = to->q;
+    to->q[3] = to->s[0] = to->s[1] = to->s[2] = 1;
+    if (gltf_file_vector(from, "matrix", 16, m)) {
+        take_apart(m, to->t, to->q, to->s);
+    } else {
+        gltf_file_vector(from, "translation", 3, to->t);
+        gltf_file_vector(from, "rotation", 4, to->q);
+        gltf_file_vector(from, "scale", 3, to->s);
+        memcpy(m + 12, to->t, sizeof to->t);
         for (int column = 0; column < 3; column++) {
             const int j = (column + 1) % 3, k = (column + 2) % 3;
-            m[4 * column + column] = s[column] * (1 - 2 * (q[j] * q[j] + q[k] * q[k]));
-            m[4 * column + j] = s[column] * 2 * (q[column] * q[j] + q[3] * q[k]);
-            m[4 * column + k] = s[column] * 2 * (q[column] * q[k] - q[3] * q[j]);
+            m[4 * column + column] = to->s[column] * (1 - 2 * (q[j] * q[j] + q[k] * q[k]));
+            m[4 * column + j] = to->s[column] * 2 * (q[column] * q[j] + q[3] * q[k]);
+            m[4 * column + k] = to->s[column] * 2 * (q[column] * q[k] - q[3] * q[j]);
         }
     }
-    set_matrix(to, m);
+    for (int i = 0; i < 12; i++) {
+        to->m[i / 4][i % 4] = (float)m[i / 4 + 4 * (i % 4)];
+    }
 }
 
-static bool read_children(struct reader *reader, const struct gltf_json *list, struct aiNode *to, unsigned depth);
-
-static bool read_node(struct reader *reader, uint32_t i, struct aiNode *to, unsigned depth)
+/* Reads a node that the tree has reached, without what is below it. */
+static bool read_node(struct reader *reader, uint32_t i, uint32_t parent, unsigned depth)
 {
     struct gltf_file *file = reader->file;
-    const struct gltf_json *node = gltf_file_item(file, GLTF_NODES, i);
-    const uint32_t mesh = gltf_file_whole(node, "mesh", GLTF_NONE), meshes = file->lists[GLTF_MESHES].count;
-    if (node == NULL || depth > DEPTH_MAX || reader->is_child[i]++) {
+    const struct gltf_json *from = gltf_file_item(file, GLTF_NODES, i);
+    const uint32_t mesh = gltf_file_whole(from, "mesh", GLTF_NONE), meshes = file->lists[GLTF_MESHES].count;
+    struct model_node *to = from != NULL ? &reader->scene->nodes[i] : NULL;
+    if (from == NULL || depth > DEPTH_MAX || to->is_shown) {
         return gltf_file_failed(file, "node %u is missing, has two parents or lies too deep", i);
     }
-    reader->nodes[i].drawn = to;
-    read_matrix(node, &to->mTransformation);
-    if (gltf_file_whole(node, "camera", GLTF_NONE) == 0) {
-        const char *name = gltf_json_text(gltf_json_get(node, "name"));
-        snprintf(to->mName.data, sizeof to->mName.data, "%.100s", name != NULL && *name != '\0' ? name : "0");
-    }
-    if (gltf_json_get(node, "mesh") != NULL) {
+    to->is_shown = true;
+    to->parent = parent;
+    to->child = to->next = to->skin = MODEL_NONE;
+    read_matrix(from, to);
+    if (gltf_json_get(from, "mesh") != NULL) {
         if (mesh >= meshes) {
             return gltf_file_failed(file, "node %u has a mesh that is not there", i);
         }
-        to->mNumMeshes = reader->first_mesh[mesh + 1] - reader->first_mesh[mesh];
-        to->mMeshes = calloc(to->mNumMeshes + 1, sizeof *to->mMeshes);
-        for (uint32_t k = 0; to->mMeshes != NULL && k < to->mNumMeshes; k++) {
-            to->mMeshes[k] = reader->first_mesh[mesh] + k;
-        }
-    }
-    return read_children(reader, gltf_json_get(node, "children"), to, depth + 1);
-}
-
-/* Recursive, at most DEPTH_MAX deep. */
-static bool read_children(struct reader *reader, const struct gltf_json *list, struct aiNode *to, unsigned depth)
-{
-    const size_t n = gltf_json_is(list, GLTF_JSON_ARRAY) ? list->count : 0;
-    struct aiNode *nodes = calloc(n + 1, sizeof *nodes);
-    to->mChildren = calloc(n + 1, sizeof *to->mChildren);
-    if (nodes == NULL || to->mChildren == NULL) {
-        return gltf_file_failed(reader->file, "it needs too much memory");
-    }
-    const struct gltf_json *item = n > 0 ? list->child : NULL;
-    for (; item != NULL; item = item->next) {
-        struct aiNode *child = &nodes[to->mNumChildren];
-        const double i = gltf_json_is(item, GLTF_JSON_NUMBER) ? item->number : -1;
-        if (!read_node(reader, i >= 0 && i < GLTF_NONE ? (uint32_t)i : GLTF_NONE, child, depth)) {
-            return false;
-        }
-        to->mChildren[to->mNumChildren++] = child;
+        to->first_mesh = reader->first_mesh[mesh];
+        to->mesh_count = reader->first_mesh[mesh + 1] - reader->first_mesh[mesh];
     }
     return true;
 }
 
-static const char *find_camera_node(const struct aiNode *node)
+/* Recursive, at most DEPTH_MAX deep. *first is the first node of the list, behind which its brothers hang. */
+static bool read_children(struct reader *reader, const struct gltf_json *list, uint32_t parent, uint32_t *first,
+                          unsigned depth)
 {
-    const char *name = node->mName.data[0] != '\0' ? node->mName.data : NULL;
-    for (unsigned i = 0; i < node->mNumChildren && name == NULL; i++) {
-        name = find_camera_node(node->mChildren[i]);
+    const struct gltf_json *item = gltf_json_is(list, GLTF_JSON_ARRAY) ? list->child : NULL;
+    *first = MODEL_NONE;
+    for (; item != NULL; item = item->next) {
+        const double number = gltf_json_is(item, GLTF_JSON_NUMBER) ? item->number : -1;
+        const uint32_t i = number >= 0 && number < GLTF_NONE ? (uint32_t)number : GLTF_NONE;
+        if (!read_node(reader, i, parent, depth)) {
+            return false;
+        }
+        *first = i;
+        const struct gltf_json *below = gltf_json_get(gltf_file_item(reader->file, GLTF_NODES, i), "children");
+        if (!read_children(reader, below, i, &reader->scene->nodes[i].child, depth + 1)) {
+            return false;
+        }
+        first = &reader->scene->nodes[i].next;
     }
-    return name;
+    return true;
 }
 
-static bool read_camera(struct gltf_file *file, struct aiScene *scene)
+/* ---- the scene --------------------------------------------------------------------------------------------------- */
+
+static const char *name_of(const struct gltf_file *file, uint32_t node)
+{
+    const char *name = gltf_json_text(gltf_json_get(gltf_file_item(file, GLTF_NODES, node), "name"));
+    return name != NULL && *name != '\0' ? name : "0";
+}
+
+/* Reads the first camera, where the first node that has it stands. */
+static void read_camera(const struct gltf_file *file, struct model_scene *scene)
 {
     const struct gltf_json *from = gltf_file_item(file, GLTF_CAMERAS, 0);
     const struct gltf_json *lens = gltf_json_get(from, "perspective");
     const struct gltf_json *box = gltf_json_get(from, "orthographic");
-    struct aiCamera *camera = calloc(1, sizeof *camera);
-    scene->mCameras = calloc(1, sizeof *scene->mCameras);
-    if (camera == NULL || scene->mCameras == NULL) {
-        return gltf_file_failed(file, "it needs too much memory");
+    uint32_t node = scene->first_node;
+    while (node != MODEL_NONE && gltf_file_whole(gltf_file_item(file, GLTF_NODES, node), "camera", GLTF_NONE) != 0) {
+        node = model_scene_next(scene, node);
     }
-    const char *name = find_camera_node(scene->mRootNode);
-    snprintf(camera->mName.data, sizeof camera->mName.data, "%s", name != NULL ? name : "0");
     const double aspect = gltf_file_number(lens, "aspectRatio", 0);
     const double half = tan(gltf_file_number(lens, "yfov", 0) / 2), x = gltf_file_number(box, "xmag", 0);
-    camera->mLookAt.z = -1;
-    camera->mUp.y = 1;
-    camera->mHorizontalFOV = (float)(2 * atan(half * (aspect > 0 ? aspect : 1)));
-    camera->mOrthographicWidth = (float)x;
-    camera->mAspect = (float)(box != NULL ? x / gltf_file_number(box, "ymag", x) : aspect);
-    camera->mClipPlaneNear = (float)gltf_file_number(box != NULL ? box : lens, "znear", 0);
-    camera->mClipPlaneFar = (float)gltf_file_number(box != NULL ? box : lens, "zfar", 0);
-    scene->mCameras[0] = camera;
-    scene->mNumCameras = file->lists[GLTF_CAMERAS].count;
-    return true;
+    scene->camera_count = file->lists[GLTF_CAMERAS].count;
+    scene->camera =
+        (struct model_camera){.name = name_of(file, node),
+                              .node = node,
+                              .forward = {0, 0, -1},
+                              .up = {0, 1, 0},
+                              .fov_x = (float)(2 * atan(half * (aspect > 0 ? aspect : 1))),
+                              .half_width = (float)x,
+                              .aspect = (float)(box != NULL ? x / gltf_file_number(box, "ymag", x) : aspect),
+                              .near_z = (float)gltf_file_number(box != NULL ? box : lens, "znear", 0),
+                              .far_z = (float)gltf_file_number(box != NULL ? box : lens, "zfar", 0)};
 }
 
-static bool read_scene(struct reader *reader, struct aiScene *scene)
+static bool read_scene(struct reader *reader)
 {
     struct gltf_file *file = reader->file;
-    const uint32_t first = gltf_file_whole(file->json, "scene", 0);
-    const struct gltf_json *from = gltf_file_item(file, GLTF_SCENES, first);
-    struct aiNode *root = calloc(1, sizeof *root);
-    const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    if (from == NULL || root == NULL) {
+    struct model_scene *scene = reader->scene;
+    const struct gltf_json *from = gltf_file_item(file, GLTF_SCENES, gltf_file_whole(file->json, "scene", 0));
+    if (from == NULL) {
         return gltf_file_failed(file, "it has no scene to show");
     }
-    set_matrix(&root->mTransformation, identity);
-    const struct gltf_json *extensions = gltf_json_get(file->json, "extensions");
-    const struct gltf_json *lights = gltf_json_get(extensions, "KHR_lights_punctual");
-    scene->mRootNode = root;
-    scene->mMeshes = reader->meshes;
-    scene->mNumMeshes = reader->mesh_count;
-    scene->mNumMaterials = file->lists[GLTF_MATERIALS].count + 1;
-    scene->mNumLights = lights != NULL;
-    return read_children(reader, gltf_json_get(from, "nodes"), root, 0) &&
-           (file->lists[GLTF_CAMERAS].count == 0 || read_camera(file, scene));
+    if (!read_children(reader, gltf_json_get(from, "nodes"), MODEL_NONE, &scene->first_node, 0)) {
+        return false;
+    }
+    if (file->lists[GLTF_CAMERAS].count > 0) {
+        read_camera(file, scene);
+    }
+    return model_gltf_skins_read(file, scene);
 }
 
-const struct aiScene *model_gltf_read(struct model_shared *shared, struct gltf_file *file,
-                                      const struct model_gltf_uv *uvs)
+/* Says what the file has and the model does not get. */
+static void note_ignored(struct model_shared *shared, const struct reader *reader)
 {
-    struct reader reader = {.file = file,
-                            .uvs = uvs,
-                            .first_mesh = calloc(file->lists[GLTF_MESHES].count + 1, sizeof(uint32_t)),
-                            .nodes = calloc(file->lists[GLTF_NODES].count + 1, sizeof(struct model_gltf_node)),
-                            .is_child = calloc(file->lists[GLTF_NODES].count + 1, 1)};
-    struct model_gltf_motion *motion = calloc(1, sizeof *motion);
-    struct aiScene *scene = calloc(1, sizeof *scene);
-    const bool has_memory =
-        scene != NULL && reader.first_mesh != NULL && reader.is_child != NULL && reader.nodes != NULL && motion != NULL;
-    if (!has_memory || !read_meshes(&reader) || !read_scene(&reader, scene)) {
-        model_shared_failed(shared, "is no model that can be read: %s", has_memory ? file->error : "out of memory");
-        return NULL;
-    }
-    if (reader.has_alphas) {
+    const struct gltf_file *file = reader->file;
+    if (reader->has_alphas) {
         model_shared_note(shared, "alphas of vertex colours are ignored");
     }
-    if (reader.has_whole_positions && !gltf_file_uses(file, "KHR_mesh_quantization")) {
+    if (reader->has_whole_positions && !gltf_file_uses(file, "KHR_mesh_quantization")) {
         model_shared_note(shared, "its positions are integers, which takes the extension KHR_mesh_quantization, and it "
                                   "does not name that");
     }
-    *motion = (struct model_gltf_motion){.file = file, .scene = scene, .moved = reader.moved, .nodes = reader.nodes};
-    if (!model_gltf_motion_find(motion, scene->mRootNode)) {
-        model_shared_failed(shared, "is no model that can be read: %s", file->error);
-        return NULL;
+    if (gltf_json_get(gltf_json_get(file->json, "extensions"), "KHR_lights_punctual") != NULL) {
+        model_shared_note(shared, "lights are ignored");
     }
-    shared->motion = motion;
-    return scene;
+}
+
+bool model_gltf_read(struct model_shared *shared, struct model_scene *scene)
+{
+    struct gltf_file file;
+    if (!gltf_file_open(&file, &shared->folder)) {
+        return model_shared_failed(shared, "is no model that can be read: %s", file.error);
+    }
+    const uint32_t materials = file.lists[GLTF_MATERIALS].count, nodes = file.lists[GLTF_NODES].count;
+    struct model_gltf_uv *uvs = calloc((size_t)materials + 1, sizeof *uvs);
+    struct reader reader = {.file = &file,
+                            .uvs = uvs,
+                            .scene = scene,
+                            .first_mesh = calloc((size_t)file.lists[GLTF_MESHES].count + 1, sizeof(uint32_t))};
+    scene->nodes = calloc((size_t)nodes + 1, sizeof *scene->nodes);
+    scene->node_count = nodes;
+    scene->materials = uvs != NULL ? model_gltf_materials(shared, &file, uvs) : NULL;
+    scene->material_count = materials + 1;
+    if (scene->materials == NULL || scene->nodes == NULL || reader.first_mesh == NULL) {
+        return model_shared_failed(shared, "needs too much memory");
+    }
+    if (!read_meshes(&reader) || !read_scene(&reader)) {
+        return model_shared_failed(shared, "is no model that can be read: %s", file.error);
+    }
+    note_ignored(shared, &reader);
+    return model_gltf_clips_read(&file, scene) ||
+           model_shared_failed(shared, "has an animation that cannot be read: %s", file.error);
 }

@@ -1,4 +1,4 @@
-/* model_read: reads a model file by assimp; runs in the child process. */
+/* model_read: reads a model file; runs in the child process. */
 #ifndef MODEL_READ_H
 #define MODEL_READ_H
 

@@ -1,36 +1,19 @@
-#include "model_read.h"
+#include "model_assimp.h"
 
 #include "model_file_io.h"
-#include "model_gltf.h"
 #include "model_materials.h"
-#include "model_meshes.h"
-#include "model_surface.h"
 
 #include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
+#include <assimp/scene.h>
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define CREASE_DEGREES 66 /* edges sharper than this stay sharp when normals are made */
-
-static bool has_suffix(const char *path, const char *suffix)
-{
-    const size_t n = strlen(path), m = strlen(suffix);
-    if (n < m) {
-        return false;
-    }
-    for (size_t i = 0; i < m; i++) {
-        if (tolower((unsigned char)path[n - m + i]) != suffix[i]) {
-            return false;
-        }
-    }
-    return true;
-}
 
 /* Counts triangles after every node has its own copy of its meshes, up to the limit. */
 static uint64_t count_triangles(const struct aiScene *scene, const struct aiNode *node)
@@ -172,7 +155,7 @@ static unsigned steps(const struct aiScene *scene, bool is_stl, bool is_flat)
            (is_stl ? (unsigned)aiProcess_RemoveComponent : 0u);
 }
 
-/* What all readers check. Triangles are counted before anything is made of them. */
+/* Triangles are counted before anything is made of them. */
 static bool check(struct model_shared *shared, const struct aiScene *scene)
 {
     const uint64_t count = scene->mRootNode != NULL ? count_triangles(scene, scene->mRootNode) : 0;
@@ -194,41 +177,130 @@ static bool check(struct model_shared *shared, const struct aiScene *scene)
     return true;
 }
 
-/* Turns what has z up: the root takes (x, y, z) to (x, z, -y). */
-static void turn_up(const struct model_shared *shared, const struct aiScene *scene, bool has_z_up)
-{
-    const char *up = shared->options.up;
-    struct aiMatrix4x4 *m = &scene->mRootNode->mTransformation;
-    if (up != NULL ? *up != 'z' : !has_z_up) {
-        return;
-    }
-    const struct aiMatrix4x4 was = *m;
-    m->b1 = was.c1, m->b2 = was.c2, m->b3 = was.c3, m->b4 = was.c4;
-    m->c1 = -was.b1, m->c2 = -was.b2, m->c3 = -was.b3, m->c4 = -was.b4;
-}
+/* ---- what it has read, as a scene ---------------------------------------------------------------------------------
+ */
 
-static bool read_gltf(struct model_shared *shared)
+static bool convert_mesh(const struct aiMesh *from, struct model_mesh *to)
 {
-    struct gltf_file file;
-    if (!gltf_file_open(&file, &shared->folder)) {
-        return model_shared_failed(shared, "is no model that can be read: %s", file.error);
-    }
-    struct model_gltf_uv *uvs = calloc(file.lists[GLTF_MATERIALS].count + 1, sizeof *uvs);
-    const struct model_material *materials = uvs != NULL ? model_gltf_materials(shared, &file, uvs) : NULL;
-    if (materials == NULL) {
-        return model_shared_failed(shared, "needs too much memory");
-    }
-    const struct aiScene *scene = model_gltf_read(shared, &file, uvs);
-    if (scene == NULL || !check(shared, scene)) {
+    const uint32_t n = from->mNumVertices;
+    *to = (struct model_mesh){.vertex_count = n, .material = from->mMaterialIndex};
+    to->positions = calloc(n + 1, sizeof *to->positions);
+    to->normals = from->mNormals != NULL ? calloc(n + 1, sizeof *to->normals) : NULL;
+    to->uvs = from->mTextureCoords[0] != NULL ? calloc(n + 1, sizeof *to->uvs) : NULL;
+    to->colours = from->mColors[0] != NULL ? calloc(n + 1, sizeof *to->colours) : NULL;
+    to->triangles = calloc(from->mNumFaces + 1, sizeof *to->triangles);
+    if (to->positions == NULL || (from->mNormals != NULL && to->normals == NULL) || to->triangles == NULL ||
+        (from->mTextureCoords[0] != NULL && to->uvs == NULL) || (from->mColors[0] != NULL && to->colours == NULL)) {
         return false;
     }
-    turn_up(shared, scene, false);
-    return model_meshes_read(shared, scene, materials);
+    for (uint32_t i = 0; i < n; i++) {
+        memcpy(to->positions[i], &from->mVertices[i], sizeof *to->positions);
+        if (to->normals != NULL) {
+            memcpy(to->normals[i], &from->mNormals[i], sizeof *to->normals);
+        }
+        if (to->uvs != NULL) {
+            memcpy(to->uvs[i], &from->mTextureCoords[0][i], sizeof *to->uvs);
+        }
+        if (to->colours != NULL) {
+            memcpy(to->colours[i], &from->mColors[0][i], sizeof *to->colours);
+        }
+    }
+    for (uint32_t f = 0; f < from->mNumFaces; f++) {
+        const unsigned *v = from->mFaces[f].mIndices;
+        if (from->mFaces[f].mNumIndices == 3 && v[0] < n && v[1] < n && v[2] < n) {
+            memcpy(to->triangles[to->triangle_count++], v, sizeof *to->triangles);
+        }
+    }
+    return true;
 }
 
-static bool read_by_assimp(struct model_shared *shared, const char *path)
+static uint32_t count_nodes(const struct aiNode *node, uint32_t *meshes)
 {
-    const bool is_stl = has_suffix(path, ".stl");
+    uint32_t count = 1;
+    *meshes += node->mNumMeshes;
+    for (unsigned i = 0; i < node->mNumChildren; i++) {
+        count += count_nodes(node->mChildren[i], meshes);
+    }
+    return count;
+}
+
+/* Adds a node, copies of the meshes that it shows, and what is below it; returns its number. Recursive, as assimp is.
+ */
+static uint32_t convert_node(const struct aiScene *scene, const struct aiNode *from, uint32_t parent,
+                             const struct model_mesh *meshes, struct model_scene *to)
+{
+    const struct aiMatrix4x4 *m = &from->mTransformation;
+    const uint32_t number = to->node_count++;
+    struct model_node *node = &to->nodes[number];
+    *node = (struct model_node){
+        .m = {{m->a1, m->a2, m->a3, m->a4}, {m->b1, m->b2, m->b3, m->b4}, {m->c1, m->c2, m->c3, m->c4}},
+        .parent = parent,
+        .child = MODEL_NONE,
+        .next = MODEL_NONE,
+        .skin = MODEL_NONE,
+        .first_mesh = to->mesh_count,
+        .is_shown = true};
+    for (unsigned i = 0; i < from->mNumMeshes; i++) {
+        if (meshes[from->mMeshes[i]].material < to->material_count) {
+            to->meshes[to->mesh_count++] = meshes[from->mMeshes[i]];
+            node->mesh_count++;
+        }
+    }
+    if (scene->mNumCameras > 0 && strcmp(from->mName.data, scene->mCameras[0]->mName.data) == 0 &&
+        to->camera.node == MODEL_NONE) {
+        to->camera.node = number;
+    }
+    uint32_t *link = &node->child;
+    for (unsigned i = 0; i < from->mNumChildren; i++) {
+        *link = convert_node(scene, from->mChildren[i], number, meshes, to);
+        link = &to->nodes[*link].next;
+    }
+    return number;
+}
+
+static void set_vector(float to[3], const struct aiVector3D *from)
+{
+    memcpy(to, from, 3 * sizeof *to);
+}
+
+static bool convert(const struct aiScene *from, struct model_scene *to)
+{
+    uint32_t shown = 0;
+    struct model_mesh *meshes = calloc(from->mNumMeshes + 1, sizeof *meshes);
+    to->nodes = calloc(count_nodes(from->mRootNode, &shown), sizeof *to->nodes);
+    to->meshes = calloc(shown + 1, sizeof *to->meshes);
+    bool done = meshes != NULL && to->nodes != NULL && to->meshes != NULL;
+    for (unsigned m = 0; done && m < from->mNumMeshes; m++) {
+        done = convert_mesh(from->mMeshes[m], &meshes[m]);
+    }
+    if (!done) {
+        return false;
+    }
+    to->material_count = from->mNumMaterials;
+    to->camera_count = from->mNumCameras;
+    to->camera.node = MODEL_NONE;
+    if (from->mNumCameras > 0) {
+        const struct aiCamera *camera = from->mCameras[0];
+        to->camera = (struct model_camera){.name = camera->mName.data,
+                                           .node = MODEL_NONE,
+                                           .fov_x = camera->mHorizontalFOV,
+                                           .half_width = camera->mOrthographicWidth,
+                                           .aspect = camera->mAspect,
+                                           .near_z = camera->mClipPlaneNear,
+                                           .far_z = camera->mClipPlaneFar};
+        set_vector(to->camera.position, &camera->mPosition);
+        set_vector(to->camera.forward, &camera->mLookAt);
+        set_vector(to->camera.up, &camera->mUp);
+    }
+    to->first_node = convert_node(from, from->mRootNode, MODEL_NONE, meshes, to);
+    free(meshes);
+    return true;
+}
+
+bool model_assimp_read(struct model_shared *shared, struct model_scene *to)
+{
+    const char *const path = shared->folder.model;
+    const bool is_stl = model_shared_ends(shared, ".stl");
     struct aiFileIO io = model_file_io(&shared->folder);
     if (is_endless_ply(path)) {
         return model_shared_failed(shared, "is broken: a PLY header without its end");
@@ -241,32 +313,13 @@ static bool read_by_assimp(struct model_shared *shared, const char *path)
         return false;
     }
     scale_to_reason(scene);
-    scene = aiApplyPostProcessing(scene, steps(scene, is_stl, has_suffix(path, ".ply")));
+    scene = aiApplyPostProcessing(scene, steps(scene, is_stl, model_shared_ends(shared, ".ply")));
     if (scene == NULL) {
         return model_shared_failed(shared, "is broken: %s", aiGetErrorString());
     }
-    if (has_suffix(path, ".obj")) {
+    if (model_shared_ends(shared, ".obj")) {
         model_materials_note_missing(shared);
     }
-    const struct model_material *materials = model_materials_read(shared, scene);
-    if (materials == NULL) {
-        return model_shared_failed(shared, "needs too much memory");
-    }
-    turn_up(shared, scene, is_stl);
-    return model_meshes_read(shared, scene, materials);
-}
-
-bool model_read(struct model_shared *shared, const char *path)
-{
-    const bool is_gltf = has_suffix(path, ".gltf") || has_suffix(path, ".glb");
-    if (!model_surface_take_texture(shared)) {
-        return false;
-    }
-    shared->folder = (struct model_folder){.model = path, .allow_outside = shared->options.allow_outside};
-    const bool is_read = is_gltf ? read_gltf(shared) : read_by_assimp(shared, path);
-    if (shared->folder.outside[0] != '\0') { /* the reader went on without it */
-        return model_shared_failed(shared, "names %.120s, which is outside of its folder; --allow-outside reads it",
-                                   shared->folder.outside);
-    }
-    return is_read;
+    to->materials = model_materials_read(shared, scene);
+    return (to->materials != NULL && convert(scene, to)) || model_shared_failed(shared, "needs too much memory");
 }

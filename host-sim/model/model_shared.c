@@ -1,8 +1,11 @@
+#define _DEFAULT_SOURCE /* strcasecmp */
+
 #include "model_shared.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 bool model_shared_failed(struct model_shared *shared, const char *format, ...)
 {
@@ -24,4 +27,10 @@ void model_shared_note(struct model_shared *shared, const char *format, ...)
     if (strstr(shared->note, text) == NULL && used + strlen(text) + 3 <= sizeof shared->note) {
         snprintf(shared->note + used, sizeof shared->note - used, "%s%s", used > 0 ? "; " : "", text);
     }
+}
+
+bool model_shared_ends(const struct model_shared *shared, const char *ending)
+{
+    const size_t n = strlen(shared->folder.model), m = strlen(ending);
+    return n >= m && strcasecmp(shared->folder.model + n - m, ending) == 0;
 }

@@ -2,9 +2,7 @@
 #ifndef MODEL_CAMERA_H
 #define MODEL_CAMERA_H
 
-#include "model_shared.h"
-
-#include <assimp/scene.h>
+#include "model_places.h"
 
 /* From the world to the unit sphere: (p - centre) * scale. */
 struct model_fit {
@@ -12,6 +10,7 @@ struct model_fit {
 };
 
 /* Reads the camera into the model, where there is one; what is odd about it is noted. */
-void model_camera_read(struct model_shared *shared, const struct aiScene *scene, const struct model_fit *fit);
+void model_camera_read(struct model_shared *shared, const struct model_scene *scene, const struct model_places *places,
+                       const struct model_fit *fit);
 
 #endif

@@ -5,7 +5,7 @@
 #include "model.h"
 #include "model_folder.h"
 
-struct model_gltf_motion;
+struct model_rig;
 
 struct model_shared {
     struct model model;
@@ -13,7 +13,7 @@ struct model_shared {
     struct model_options options;
     struct model_folder folder;       /* what the file may name */
     const struct ph_texture *texture; /* of options.texture, once it is made */
-    struct model_gltf_motion *motion; /* what moves; NULL: nothing */
+    struct model_rig *rig;            /* what moves; NULL: nothing */
     char error[256];                  /* why it failed, one line */
     char note[512];                   /* what was left out or changed; see model_shared_note */
 };
@@ -23,5 +23,8 @@ bool model_shared_failed(struct model_shared *shared, const char *format, ...) _
 
 /* Adds a text to shared->note unless it is there already or has no room. */
 void model_shared_note(struct model_shared *shared, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Whether the name of the model's file ends so, in capitals or not. */
+bool model_shared_ends(const struct model_shared *shared, const char *ending);
 
 #endif

@@ -2,36 +2,16 @@
 
 #include "model_places.h"
 
-#include <assimp/camera.h>
-
 #include <math.h>
-#include <string.h>
 
 #define EYE_MAX  10000.0 /* in radii of the model: keeps all coordinates well inside Q16.16 */
 #define CLEAR    1.001   /* a little more than the sphere that holds the model */
 #define NEAR_MIN (1 / 1024.0)
 
-/* Finds the node of the camera and its place in the world. */
-static bool find_node(const struct aiNode *node, const char *name, double parent[3][4], double place[3][4])
-{
-    double here[3][4];
-    model_places_multiply(here, parent, &node->mTransformation);
-    if (strcmp(node->mName.data, name) == 0) {
-        memcpy(place, here, sizeof here);
-        return true;
-    }
-    for (unsigned i = 0; i < node->mNumChildren; i++) {
-        if (find_node(node->mChildren[i], name, here, place)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static void turn(double to[3], double place[3][4], const struct aiVector3D *v)
+static void turn(double to[3], double place[3][4], const float v[3])
 {
     for (int row = 0; row < 3; row++) {
-        to[row] = place[row][0] * v->x + place[row][1] * v->y + place[row][2] * v->z;
+        to[row] = place[row][0] * (double)v[0] + place[row][1] * (double)v[1] + place[row][2] * (double)v[2];
     }
 }
 
@@ -55,13 +35,13 @@ static bool across(double to[3], const double a[3], const double b[3])
 }
 
 /* World to view, with right, up and backwards as rows. False: the camera has no direction, or is too far away. */
-static bool read_view(const struct aiCamera *from, double place[3][4], const struct model_fit *fit,
+static bool read_view(const struct model_camera *from, double place[3][4], const struct model_fit *fit,
                       struct ph_xform *view)
 {
     double forward[3], up[3], eye[3], axes[3][3];
-    turn(forward, place, &from->mLookAt);
-    turn(up, place, &from->mUp);
-    turn(eye, place, &from->mPosition);
+    turn(forward, place, from->forward);
+    turn(up, place, from->up);
+    turn(eye, place, from->position);
     const double size = sqrt(dot(forward, forward));
     for (int i = 0; i < 3; i++) {
         eye[i] = (eye[i] + place[i][3] - fit->centre[i]) * fit->scale;
@@ -88,43 +68,42 @@ static int32_t q20(double value)
 }
 
 /* Reads the scales of the picture, and puts near and far plane as close to the model as possible. */
-static bool read_lens(const struct aiCamera *from, const struct model_fit *fit, double centre,
+static bool read_lens(const struct model_camera *from, const struct model_fit *fit, double centre,
                       struct ph_projection *lens)
 {
-    const bool is_ortho = from->mOrthographicWidth > 0;
-    const double across_x =
-        is_ortho ? 1 / (from->mOrthographicWidth * fit->scale) : 1 / tan((double)from->mHorizontalFOV / 2);
-    const double aspect = from->mAspect > 0 ? (double)from->mAspect : 1; /* assimp takes 1 where there is none */
-    const double file_near = from->mClipPlaneNear * fit->scale, file_far = from->mClipPlaneFar * fit->scale;
+    const bool is_ortho = from->half_width > 0;
+    const double across_x = is_ortho ? 1 / ((double)from->half_width * fit->scale) : 1 / tan((double)from->fov_x / 2);
+    const double aspect = from->aspect > 0 ? (double)from->aspect : 1; /* readers take 1 where there is none */
+    const double file_near = (double)from->near_z * fit->scale, file_far = (double)from->far_z * fit->scale;
     const double near_z = fmax(fmax(file_near, centre - CLEAR), NEAR_MIN);
     const double far_z = fmin(file_far > 0 ? file_far : HUGE_VAL, centre + CLEAR);
     lens->kind = is_ortho ? PH_ORTHOGRAPHIC : PH_PERSPECTIVE;
-    lens->scale_x_q20 = from->mAspect > 0 ? q20(across_x) : 0;
+    lens->scale_x_q20 = from->aspect > 0 ? q20(across_x) : 0;
     lens->scale_y_q20 = q20(across_x * aspect);
     lens->near_z = (fx_t)lround(fmin(near_z, 2 * EYE_MAX) * FX_ONE);
     lens->far_z = (fx_t)lround(far_z * FX_ONE);
-    return lens->scale_y_q20 > 0 && (lens->scale_x_q20 > 0 || !(from->mAspect > 0)) && lens->far_z > lens->near_z;
+    return lens->scale_y_q20 > 0 && (lens->scale_x_q20 > 0 || !(from->aspect > 0)) && lens->far_z > lens->near_z;
 }
 
-void model_camera_read(struct model_shared *shared, const struct aiScene *scene, const struct model_fit *fit)
+void model_camera_read(struct model_shared *shared, const struct model_scene *scene, const struct model_places *places,
+                       const struct model_fit *fit)
 {
-    double world[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, place[3][4];
+    const struct model_camera *from = &scene->camera;
     struct model *model = &shared->model;
-    if (scene->mNumCameras == 0) {
+    if (scene->camera_count == 0) {
         return;
     }
-    const struct aiCamera *from = scene->mCameras[0];
-    if (scene->mNumCameras > 1) {
-        model_shared_note(shared, "of %u cameras the first is used", scene->mNumCameras);
+    if (scene->camera_count > 1) {
+        model_shared_note(shared, "of %u cameras the first is used", scene->camera_count);
     }
-    if (!find_node(scene->mRootNode, from->mName.data, world, place)) {
-        model_shared_note(shared, "camera %.100s stands in no node and is ignored", from->mName.data);
+    if (from->node == MODEL_NONE) {
+        model_shared_note(shared, "camera %.100s stands in no node and is ignored", from->name);
         return;
     }
     model->camera = (struct demo_eye){.lens = {.kind = PH_PERSPECTIVE}};
-    model->has_camera = read_view(from, place, fit, &model->camera.view) &&
+    model->has_camera = read_view(from, places->nodes[from->node], fit, &model->camera.view) &&
                         read_lens(from, fit, -model->camera.view.t.z / (double)FX_ONE, &model->camera.lens);
     if (!model->has_camera) {
-        model_shared_note(shared, "camera %.100s does not see the model, and is ignored", from->mName.data);
+        model_shared_note(shared, "camera %.100s does not see the model, and is ignored", from->name);
     }
 }

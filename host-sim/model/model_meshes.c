@@ -1,11 +1,8 @@
 #include "model_meshes.h"
 
 #include "model_camera.h"
-#include "model_gltf_motion.h"
 #include "model_places.h"
-#include "model_surface.h"
-
-#include <assimp/mesh.h>
+#include "model_rig.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,7 +21,7 @@ static bool find_fit(const struct model_places *places, struct model_fit *fit)
 {
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, point[3];
     for (size_t k = 0; k < places->count; k++) {
-        for (unsigned i = 0; i < places->list[k].mesh->mNumVertices; i++) {
+        for (unsigned i = 0; i < places->list[k].mesh->vertex_count; i++) {
             model_places_point(&places->list[k], i, point);
             for (int axis = 0; axis < 3; axis++) {
                 low[axis] = point[axis] < low[axis] || !isfinite(point[axis]) ? point[axis] : low[axis];
@@ -38,7 +35,7 @@ static bool find_fit(const struct model_places *places, struct model_fit *fit)
         most = isfinite(fit->centre[axis]) ? most : HUGE_VAL;
     }
     for (size_t k = 0; k < places->count; k++) {
-        for (unsigned i = 0; i < places->list[k].mesh->mNumVertices; i++) {
+        for (unsigned i = 0; i < places->list[k].mesh->vertex_count; i++) {
             model_places_point(&places->list[k], i, point);
             const double x = point[0] - fit->centre[0], y = point[1] - fit->centre[1], z = point[2] - fit->centre[2];
             most = fmax(most, x * x + y * y + z * z);
@@ -67,22 +64,14 @@ struct piece {
 
 #define FLAT_FACES (MODEL_VERTICES_MAX / 3)
 
-static bool is_triangle(const struct aiMesh *mesh, unsigned f)
-{
-    const struct aiFace *face = &mesh->mFaces[f];
-    return face->mNumIndices == 3 && face->mIndices[0] < mesh->mNumVertices && face->mIndices[1] < mesh->mNumVertices &&
-           face->mIndices[2] < mesh->mNumVertices;
-}
-
 /* Vertex i of the piece in the place's mesh. */
 static unsigned vertex_of(const struct piece *piece, unsigned i)
 {
-    const struct aiMesh *mesh = piece->place->mesh;
+    const struct model_mesh *mesh = piece->place->mesh;
     if (!piece->is_flat) {
         return i;
     }
-    const unsigned f = piece->first + i / 3;
-    return is_triangle(mesh, f) ? mesh->mFaces[f].mIndices[i % 3] : 0;
+    return mesh->triangles[piece->first + i / 3][i % 3];
 }
 
 static void copy_vertices(const struct piece *from, const struct model_fit *fit, double (*points)[3],
@@ -118,27 +107,21 @@ static void make_normals(const struct ph_mesh *mesh, double (*points)[3], int16_
     }
 }
 
-/* Leaves out faces that are not triangles of this mesh's vertices; turns mirrored ones over. */
-static uint32_t copy_triangles(const struct piece *from, uint16_t (*to)[3])
+/* Turns mirrored triangles over. */
+static void copy_triangles(const struct piece *from, uint16_t (*to)[3])
 {
-    uint32_t count = 0;
     for (unsigned f = 0; f < from->count; f++) {
-        if (!is_triangle(from->place->mesh, from->first + f)) {
-            continue;
-        }
         for (unsigned i = 0; i < 3; i++) {
-            const unsigned index = from->is_flat ? 3 * f + i : from->place->mesh->mFaces[from->first + f].mIndices[i];
-            to[count][from->place->mirrors ? 2 - i : i] = (uint16_t)index;
+            const uint32_t index = from->is_flat ? 3 * f + i : from->place->mesh->triangles[from->first + f][i];
+            to[f][from->place->mirrors ? 2 - i : i] = (uint16_t)index;
         }
-        count++;
     }
-    return count;
 }
 
 /* Copies the vertex colours; where all are the colour of the material, there are none. */
 static bool copy_colours(struct model_shared *shared, const struct piece *piece, struct ph_mesh *to)
 {
-    const struct aiColor4D *from = piece->place->mesh->mColors[0];
+    float(*const from)[3] = piece->place->mesh->colours;
     const struct ph_blend *blend = to->materials->blend;
     if (from == NULL || (blend != NULL && blend->kind == PH_BLEND_ADD)) { /* a glow has its own colour */
         return true;
@@ -149,8 +132,8 @@ static bool copy_colours(struct model_shared *shared, const struct piece *piece,
     }
     uint16_t *colours = demo_alloc(&shared->arena, sizeof *colours * piece->vertex_count);
     for (unsigned i = 0; colours != NULL && i < piece->vertex_count; i++) {
-        const struct aiColor4D *c = &from[vertex_of(piece, i)];
-        colours[i] = ph_rgb565(model_surface_channel(c->r), model_surface_channel(c->g), model_surface_channel(c->b));
+        const float *c = from[vertex_of(piece, i)];
+        colours[i] = ph_rgb565(model_surface_channel(c[0]), model_surface_channel(c[1]), model_surface_channel(c[2]));
         to->colours = colours[i] != to->materials->colour ? colours : to->colours;
     }
     return colours != NULL;
@@ -160,9 +143,9 @@ static bool copy_uvs(struct model_shared *shared, const struct piece *piece, str
 {
     fx_t(*uvs)[2] = demo_alloc(&shared->arena, sizeof *uvs * piece->vertex_count);
     for (unsigned i = 0; uvs != NULL && i < piece->vertex_count; i++) {
-        const struct aiVector3D *uv = &piece->place->mesh->mTextureCoords[0][vertex_of(piece, i)];
-        uvs[i][0] = fixed(uv->x);
-        uvs[i][1] = fixed(uv->y);
+        const float *uv = piece->place->mesh->uvs[vertex_of(piece, i)];
+        uvs[i][0] = fixed((double)uv[0]);
+        uvs[i][1] = fixed((double)uv[1]);
     }
     to->uvs = (const fx_t(*)[2])uvs;
     return uvs != NULL;
@@ -172,7 +155,7 @@ static bool copy_uvs(struct model_shared *shared, const struct piece *piece, str
 static bool copy_material(struct model_shared *shared, const struct piece *piece, const struct ph_material *given,
                           struct ph_mesh *to)
 {
-    const struct aiMesh *from = piece->place->mesh;
+    const struct model_mesh *from = piece->place->mesh;
     struct ph_material *material = demo_alloc(&shared->arena, sizeof *material);
     struct ph_part *part = demo_alloc(&shared->arena, sizeof *part);
     if (material == NULL || part == NULL) {
@@ -184,7 +167,7 @@ static bool copy_material(struct model_shared *shared, const struct piece *piece
     to->part_count = 1;
     to->materials = material;
     const bool has_alphas = material->blend != NULL && material->blend->alphas != NULL;
-    if (from->mTextureCoords[0] == NULL) {
+    if (from->uvs == NULL) {
         if (shared->texture != NULL) {
             model_shared_note(shared, "what has no texture coordinates keeps its colour");
         }
@@ -232,7 +215,8 @@ static bool copy_mesh(struct model_shared *shared, const struct piece *from, con
                            .normals = (const int16_t(*)[3])normals,
                            .triangles = (const uint16_t(*)[3])triangles,
                            .vertex_count = n,
-                           .triangle_count = copy_triangles(from, triangles)};
+                           .triangle_count = from->count};
+    copy_triangles(from, triangles);
     return (copy_shape(from, fit, positions, normals, to) && copy_material(shared, from, material, to)) ||
            model_shared_failed(shared, "needs too much memory");
 }
@@ -240,10 +224,10 @@ static bool copy_mesh(struct model_shared *shared, const struct piece *from, con
 /* The piece of a place that starts with face `first`. */
 static struct piece next_piece(const struct model_place *place, unsigned first)
 {
-    const struct aiMesh *mesh = place->mesh;
-    const unsigned rest = mesh->mNumFaces - first;
-    if (mesh->mNormals != NULL) {
-        return (struct piece){place, 0, rest, false, mesh->mNumVertices};
+    const struct model_mesh *mesh = place->mesh;
+    const unsigned rest = mesh->triangle_count - first;
+    if (mesh->normals != NULL) {
+        return (struct piece){place, 0, rest, false, mesh->vertex_count};
     }
     const unsigned count = rest < FLAT_FACES ? rest : FLAT_FACES;
     return (struct piece){place, first, count, true, 3 * count};
@@ -253,12 +237,11 @@ static size_t count_pieces(const struct model_places *places)
 {
     size_t count = 0;
     for (size_t i = 0; i < places->count; i++) {
-        count += 2 * (places->list[i].mesh->mNumFaces / FLAT_FACES + 1); /* a glow is a mesh of its own */
+        count += 2 * (places->list[i].mesh->triangle_count / FLAT_FACES + 1); /* a glow is a mesh of its own */
     }
     return count;
 }
 
-/* Copies the piece as the next mesh of the model. */
 /* Lets the mesh of a piece move, where something does. */
 static bool bind_piece(struct model_shared *shared, const struct piece *piece, const struct model_fit *fit,
                        uint32_t mesh)
@@ -270,12 +253,13 @@ static bool bind_piece(struct model_shared *shared, const struct piece *piece, c
     for (unsigned i = 0; vertices != NULL && i < piece->vertex_count; i++) {
         vertices[i] = vertex_of(piece, i);
     }
-    const bool done = vertices != NULL ? model_gltf_motion_bind(shared, piece->place, fit, vertices, mesh)
+    const bool done = vertices != NULL ? model_rig_bind(shared, piece->place, fit, vertices, mesh)
                                        : model_shared_failed(shared, "needs too much memory");
     free(vertices);
     return done;
 }
 
+/* Copies the piece as the next mesh of the model. */
 static bool add_mesh(struct model_shared *shared, const struct piece *piece, const struct model_fit *fit,
                      const struct ph_material *material)
 {
@@ -293,7 +277,7 @@ static bool add_mesh(struct model_shared *shared, const struct piece *piece, con
 static bool copy_place(struct model_shared *shared, const struct model_place *place, const struct model_fit *fit,
                        const struct model_material *material)
 {
-    for (unsigned first = 0; first < place->mesh->mNumFaces;) {
+    for (unsigned first = 0; first < place->mesh->triangle_count;) {
         const struct piece piece = next_piece(place, first);
         if (!add_mesh(shared, &piece, fit, &material->surface) ||
             (material->glows && !add_mesh(shared, &piece, fit, &material->glow))) {
@@ -327,39 +311,38 @@ static bool any_has_area(const struct model *model)
     return false;
 }
 
-static bool copy_meshes(struct model_shared *shared, const struct aiScene *scene, const struct model_places *places,
-                        const struct model_material *materials)
+static bool copy_meshes(struct model_shared *shared, const struct model_scene *scene, const struct model_places *places,
+                        struct model_fit *fit)
 {
     struct model *model = &shared->model;
-    struct model_fit fit;
-    if (!find_fit(places, &fit)) {
+    if (!find_fit(places, fit)) {
         return model_shared_failed(shared, "has coordinates that are no numbers, or all points in one place");
     }
     model->meshes = demo_alloc(&shared->arena, sizeof *model->meshes * count_pieces(places));
     if (model->meshes == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }
-    if (!model_gltf_motion_begin(shared, &fit, count_pieces(places))) {
+    if (!model_rig_begin(shared, fit, count_pieces(places))) {
         return false;
     }
     for (size_t i = 0; i < places->count; i++) {
-        if (!copy_place(shared, &places->list[i], &fit, &materials[places->list[i].mesh->mMaterialIndex])) {
+        if (!copy_place(shared, &places->list[i], fit, &scene->materials[places->list[i].mesh->material])) {
             return false;
         }
     }
-    model_camera_read(shared, scene, &fit);
+    model_camera_read(shared, scene, places, fit);
     return model->triangle_count == 0
                ? model_shared_failed(shared, "has no triangles")
                : any_has_area(model) || model_shared_failed(shared, "has no triangle with an area");
 }
 
-bool model_meshes_read(struct model_shared *shared, const struct aiScene *scene, const struct model_material *materials)
+bool model_meshes_read(struct model_shared *shared, const struct model_scene *scene)
 {
     struct model_places places;
-    if (!model_places_find(scene, &places)) {
-        return model_shared_failed(shared, "needs too much memory");
-    }
-    const bool done = copy_meshes(shared, scene, &places, materials);
+    struct model_fit fit;
+    const bool done = model_places_find(scene, &places) ? copy_meshes(shared, scene, &places, &fit)
+                                                        : model_shared_failed(shared, "needs too much memory");
     free(places.list);
+    free(places.nodes);
     return done;
 }

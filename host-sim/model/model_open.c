@@ -3,7 +3,7 @@
 #include "model_read.h"
 
 #include "complain.h"
-#include "model_scene.h"
+#include "model_phs.h"
 #include "option_text.h"
 
 #include <errno.h>
@@ -130,7 +130,7 @@ int model_open(struct model **model, const char *path, const struct model_option
         return status;
     }
     if (option_text_ends(path, ".phs")) {
-        return model_scene_open(model, path);
+        return model_phs_open(model, path);
     }
     void *memory = mmap(NULL, SHARED_BYTES, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (memory == MAP_FAILED) {

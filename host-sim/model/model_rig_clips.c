@@ -1,0 +1,149 @@
+/* See model_rig_clips.h. */
+#include "model_rig_clips.h"
+
+#include "model_rig_nodes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define PI 3.14159265358979323846
+
+/* Tangents are multiplied by the time between their keys. */
+static void prepare(const struct model_track *c, double factor)
+{
+    const bool is_cubic = c->interpolation == PH_KEYS_CUBIC;
+    for (uint32_t k = 0; k < c->keys; k++) {
+        const double before = k > 0 ? (double)c->times[k] - (double)c->times[k - 1] : 0,
+                     behind = k + 1 < c->keys ? (double)c->times[k + 1] - (double)c->times[k] : 0;
+        const uint32_t parts = is_cubic ? 3 : 1;
+        for (uint32_t i = 0; i < parts * c->width; i++) {
+            const double times = !is_cubic || i / c->width == 1 ? 1 : i / c->width == 0 ? before : behind;
+            float *number = &c->numbers[(size_t)k * parts * c->width + i];
+            *number = (float)model_rig_clamp(*number * factor * times, 120);
+        }
+    }
+}
+
+/* Notes how far the keys are from the numbers. */
+static void compare(const struct model_track *c, const int16_t *keys, int frac, struct model_rounding *r)
+{
+    double *const errors[] = {&r->translation, &r->rotation, &r->scale, &r->weight};
+    const uint32_t w = c->width, parts = c->interpolation == PH_KEYS_CUBIC ? 3 : 1;
+    for (uint32_t k = 0; k < c->keys; k++) {
+        const size_t at = ((size_t)k * parts + parts / 2) * w; /* behind the tangent before it */
+        double own = 0, other = 0, dot = 0;
+        for (uint32_t i = 0; i < w; i++) {
+            const double number = (double)c->numbers[at + i], key = keys[at + i];
+            own += number * number, other += key * key, dot += number * key;
+            if (c->path != PH_PATH_ROTATION) {
+                model_rig_note(errors[c->path], number - ldexp(key, -frac));
+            }
+        }
+        if (c->path == PH_PATH_ROTATION && own > 0 && other > 0) {
+            model_rig_note(&r->rotation, 2 * acos(fmin(1, dot / sqrt(own * other))) * 180 / PI);
+        }
+    }
+}
+
+/* Numbers as 16 bits with as many bits of fraction as they have room for. */
+static bool pack(struct model_shared *shared, const struct model_track *c, uint8_t time_shift, struct ph_track *to)
+{
+    const size_t n = (size_t)c->keys * c->width * (c->interpolation == PH_KEYS_CUBIC ? 3 : 1);
+    uint16_t *times = demo_alloc(&shared->arena, sizeof *times * c->keys);
+    int16_t *keys = demo_alloc(&shared->arena, sizeof *keys * n);
+    double most = 0;
+    int frac = 24;
+    if (times == NULL || keys == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < n; i++) {
+        most = fmax(most, fabs((double)c->numbers[i]));
+    }
+    while (frac > 8 && ldexp(most, frac) > 32767) {
+        frac--;
+    }
+    for (size_t i = 0; i < n; i++) {
+        keys[i] = (int16_t)lround(model_rig_clamp(c->path == PH_PATH_ROTATION ? (double)c->numbers[i] / most * 32767
+                                                                              : ldexp((double)c->numbers[i], frac),
+                                                  32767));
+    }
+    for (uint32_t k = 0; k < c->keys; k++) {
+        times[k] = (uint16_t)fmin(65535, fmax(0, rint((double)c->times[k] * 65536 / (1 << time_shift))));
+        model_rig_note(&shared->model.motion->rounding.time, (double)c->times[k] - ldexp(times[k], time_shift - 16));
+    }
+    *to = (struct ph_track){.path = c->path,
+                            .interpolation = c->interpolation,
+                            .key_count = (uint16_t)c->keys,
+                            .width = (uint8_t)c->width,
+                            .frac = (uint8_t)frac,
+                            .times = times,
+                            .keys = keys};
+    compare(c, keys, frac, &shared->model.motion->rounding);
+    return true;
+}
+
+/* Makes a track, in the model's units. */
+static bool make_track(struct model_shared *shared, const struct model_track *from, double unit, uint8_t time_shift,
+                       struct ph_track *to)
+{
+    const struct model_rig *rig = shared->rig;
+    const struct model_rig_node *node = &rig->nodes[from->node];
+    const uint32_t parent = rig->scene->nodes[from->node].parent;
+    const double above = parent == MODEL_NONE ? unit : rig->nodes[parent].length;
+    prepare(from, from->path == PH_PATH_TRANSLATION ? above : from->path == PH_PATH_SCALE ? above / node->length : 1);
+    if (!pack(shared, from, time_shift, to)) {
+        return false;
+    }
+    to->node = (uint16_t)(from->path == PH_PATH_WEIGHTS ? node->first_weight : node->number);
+    return true;
+}
+
+static bool make_clip(struct model_shared *shared, const struct model_clip *from, uint32_t index, double unit,
+                      struct ph_clip *clip)
+{
+    struct ph_track *tracks = demo_alloc(&shared->arena, sizeof *tracks * (from->count + 1));
+    char *name = demo_alloc(&shared->arena, 64);
+    double end = 0;
+    if (tracks == NULL || name == NULL) {
+        return false;
+    }
+    if (from->name != NULL && from->name[0] != '\0') {
+        snprintf(name, 64, "%.60s", from->name);
+    } else {
+        snprintf(name, 64, "clip %u", index);
+    }
+    *clip = (struct ph_clip){.name = name, .tracks = tracks};
+    for (uint32_t i = 0; i < from->count; i++) {
+        for (uint32_t k = 0; k < from->tracks[i].keys; k++) {
+            end = fmax(end, (double)from->tracks[i].times[k]);
+        }
+    }
+    end = fmin(end, 32767);
+    clip->duration = (fx_t)lround(end * 65536);
+    while (clip->duration >> clip->time_shift > UINT16_MAX) {
+        clip->time_shift++;
+    }
+    for (uint32_t i = 0; i < from->count; i++) {
+        if (!make_track(shared, &from->tracks[i], unit, clip->time_shift, &tracks[clip->track_count++])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool model_rig_clips_make(struct model_shared *shared, struct model_motion *to, double unit)
+{
+    const struct model_scene *scene = shared->rig->scene;
+    const uint32_t n = scene->clip_count;
+    struct ph_clip *clips = demo_alloc(&shared->arena, sizeof *clips * (n + 1));
+    for (uint32_t i = 0; i < n; i++) {
+        if (clips == NULL || !make_clip(shared, &scene->clips[i], i, unit, &clips[i])) {
+            return model_shared_failed(shared, "has an animation that cannot be read: it needs too much memory");
+        }
+    }
+    to->clips = clips;
+    to->animation.clip = n > 0 ? clips : NULL;
+    to->clip_count = n;
+    return clips != NULL;
+}
