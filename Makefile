@@ -80,7 +80,7 @@ $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DI
 # host-sim has one room a program, and common/ and controllers/ for all; a program's main() is in its pinhole_*.c.
 MAINS := $(wildcard host-sim/*/pinhole_*.c)
 ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
-HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/gltf model/$(ASSIMP) picture/$(PNG) picture/$(JPEG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
+HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/formats model/gltf model/$(ASSIMP) picture/$(PNG) picture/$(JPEG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
 # emulate/ has a room a chip. Those of the RP2040 and RP2350 are programs; what chips take as accesses to their registers is for tests, too.
 REGISTERS := host-sim/emulate/registers/registers.c
 HOST := $(filter-out $(MAINS),$(HOST)) $(REGISTERS) $(wildcard host-sim/emulate/*/registers_table.c host-sim/emulate/*/emulate_*.c)
@@ -109,7 +109,7 @@ INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
 INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common -Ihost-sim/picture
 rooms = $(patsubst %,-I$(1)/%,$(2))
 INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx geom render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
-          $(call rooms,hal,panel chips/rp2 rp2040) $(call rooms,host-sim,$(filter-out common,$(ROOMS)) model/gltf) $(call rooms,tests,support oracle) $(if $(call have,cmocka),,-Itests/support/bare) $(DRM_CFLAGS)
+          $(call rooms,hal,panel chips/rp2 rp2040) $(call rooms,host-sim,$(filter-out common,$(ROOMS)) model/formats model/gltf) $(call rooms,tests,support oracle) $(if $(call have,cmocka),,-Itests/support/bare) $(DRM_CFLAGS)
 INC = $(INC_ALL)
 $(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o $(B)/host-sim/emulate/%.o: WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)
@@ -123,7 +123,7 @@ $(B)/hal/kms/$(DRM)/%.o: INC = -Ihal $(DRM_CFLAGS)
 $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
 $(B)/host-sim/%.o: INC = $(INC_HOST)
 $(B)/host-sim/sim/%.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers model asset)
-$(B)/host-sim/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model model/gltf)
+$(B)/host-sim/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model model/formats model/gltf)
 $(B)/host-sim/asset/%.o: INC = $(INC_HOST) $(call rooms,host-sim,asset model)
 $(B)/host-sim/panel/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
 $(B)/host-sim/depth/%.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab)

@@ -3,6 +3,7 @@
 #include "model_assimp.h"
 #include "model_gltf.h"
 #include "model_meshes.h"
+#include "model_obj.h"
 #include "model_rig.h"
 
 /* Counts triangles after every node has its own copy of its meshes. */
@@ -30,8 +31,16 @@ static void turn_up(const struct model_shared *shared, struct model_scene *scene
 
 static bool read_scene(struct model_shared *shared, struct model_scene *scene)
 {
-    const bool is_gltf = model_shared_ends(shared, ".gltf") || model_shared_ends(shared, ".glb");
-    return (is_gltf ? model_gltf_read : model_assimp_read)(shared, scene);
+    static const struct {
+        const char *ending;
+        bool (*read)(struct model_shared *shared, struct model_scene *scene);
+    } readers[] = {{".gltf", model_gltf_read}, {".glb", model_gltf_read}, {".obj", model_obj_read}};
+    for (size_t i = 0; i < sizeof readers / sizeof readers[0]; i++) {
+        if (model_shared_ends(shared, readers[i].ending)) {
+            return readers[i].read(shared, scene);
+        }
+    }
+    return model_assimp_read(shared, scene);
 }
 
 static bool make_model(struct model_shared *shared, struct model_scene *scene)

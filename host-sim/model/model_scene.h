@@ -92,6 +92,9 @@ bool model_scene_moves(const struct model_scene *scene);
  * MODEL_NONE: there is no other. */
 uint32_t model_scene_next(const struct model_scene *scene, uint32_t node);
 
+/* Gives a scene without nodes one that shows all meshes. false: no memory. */
+bool model_scene_one_node(struct model_scene *scene);
+
 /* to = parent * local: three rows each, the last column is the translation. */
 void model_scene_multiply(double to[3][4], double (*parent)[4], const float (*local)[4]);
 

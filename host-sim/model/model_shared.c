@@ -4,6 +4,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -33,4 +34,12 @@ bool model_shared_ends(const struct model_shared *shared, const char *ending)
 {
     const size_t n = strlen(shared->folder.model), m = strlen(ending);
     return n >= m && strcasecmp(shared->folder.model + n - m, ending) == 0;
+}
+
+void *model_shared_grow(void *list, size_t count, size_t bytes)
+{
+    if (list != NULL && (count < 16 || (count & (count - 1)) != 0)) {
+        return list;
+    }
+    return realloc(list, (count < 16 ? 16 : 2 * count) * bytes);
 }

@@ -5,6 +5,8 @@
 #include "model.h"
 #include "model_folder.h"
 
+#include <stddef.h>
+
 struct model_rig;
 
 struct model_shared {
@@ -23,6 +25,10 @@ bool model_shared_failed(struct model_shared *shared, const char *format, ...) _
 
 /* Adds a text to shared->note unless it is there already or has no room. */
 void model_shared_note(struct model_shared *shared, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Makes room for one more element behind `count`, of so many bytes; lists that grow by this alone are never full. NULL:
+ * no memory, and the list is as it was. */
+void *model_shared_grow(void *list, size_t count, size_t bytes);
 
 /* Whether the name of the model's file ends so, in capitals or not. */
 bool model_shared_ends(const struct model_shared *shared, const char *ending);

@@ -17,6 +17,34 @@ uint8_t model_surface_channel(float value)
     return (uint8_t)lroundf((value > 0 ? (value < 1 ? value : 1) : 0) * 255); /* NaN gives 0 */
 }
 
+/* Whether alpha is nowhere between nothing and all: then it cuts out, and hides what is behind. */
+static bool is_cut_out(const struct picture_in *picture)
+{
+    const size_t n = (size_t)picture->picture.width * picture->picture.height;
+    size_t between = 0;
+    for (size_t i = 0; i < n; i++) {
+        between += picture->alpha[i] > 16 && picture->alpha[i] < 239;
+    }
+    return between * 16 <= n; /* those at the edges of a picture that was shrunk */
+}
+
+void model_surface_mask(struct model_surface *surface)
+{
+    struct picture_in *mask = &surface->mask;
+    const size_t n = (size_t)mask->picture.width * mask->picture.height;
+    if (mask->alpha == NULL) {
+        mask->alpha = malloc(n);
+        for (size_t i = 0; mask->alpha != NULL && i < n; i++) {
+            const uint8_t *rgb = mask->picture.rgb + 3 * i;
+            mask->alpha[i] = (uint8_t)((rgb[0] + rgb[1] + rgb[2]) / 3);
+        }
+    }
+    surface->cutoff = .5;
+    surface->mode = mask->alpha == NULL                       ? surface->mode
+                    : is_cut_out(mask) && surface->alpha >= 1 ? MODEL_MASK
+                                                              : MODEL_BLEND;
+}
+
 /* The filter that the options name, or that of the file. */
 static uint8_t filter_of(struct model_shared *shared, const struct model_surface *from)
 {

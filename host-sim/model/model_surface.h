@@ -40,6 +40,10 @@ struct model_material {
 /* Makes the material. Emission is in the ramp where there is no texture. false: the arena is full. */
 bool model_surface_make(struct model_shared *shared, struct model_surface *from, struct model_material *to);
 
+/* Takes the alpha of the surface's mask, or its grey where it has none: it cuts out what is seldom between nothing and
+ * all, and blends otherwise. */
+void model_surface_mask(struct model_surface *surface);
+
 /* Makes the texture that --texture names, if it does. false: shared->error says why not. */
 bool model_surface_take_texture(struct model_shared *shared);
 

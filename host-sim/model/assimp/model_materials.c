@@ -90,17 +90,6 @@ static void read_texture(struct model_shared *shared, const struct aiScene *scen
     to->picture.alpha = NULL;
 }
 
-/* Whether alpha is nowhere between nothing and all: then it cuts out, and hides what is behind. */
-static bool is_cut_out(const struct picture_in *picture)
-{
-    const size_t n = (size_t)picture->picture.width * picture->picture.height;
-    size_t between = 0;
-    for (size_t i = 0; i < n; i++) {
-        between += picture->alpha[i] > 16 && picture->alpha[i] < 239;
-    }
-    return between * 16 <= n; /* those at the edges of a picture that was shrunk */
-}
-
 /* MTL's d and map_d: its alpha, or its grey. An opacity of 0 is written by programs that mean 1. */
 static void read_alpha(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,
                        struct model_surface *to)
@@ -121,15 +110,7 @@ static void read_alpha(struct model_shared *shared, const struct aiScene *scene,
         model_shared_note(shared, "transparency %.100s is left out: it %s", name.data, why);
         return;
     }
-    if (mask->alpha == NULL) {
-        mask->alpha = malloc((size_t)mask->picture.width * mask->picture.height);
-        for (size_t i = 0; mask->alpha != NULL && i < (size_t)mask->picture.width * mask->picture.height; i++) {
-            const uint8_t *rgb = mask->picture.rgb + 3 * i;
-            mask->alpha[i] = (uint8_t)((rgb[0] + rgb[1] + rgb[2]) / 3);
-        }
-    }
-    to->cutoff = .5;
-    to->mode = mask->alpha == NULL ? to->mode : is_cut_out(mask) && to->alpha >= 1 ? MODEL_MASK : MODEL_BLEND;
+    model_surface_mask(to);
 }
 
 static bool read_material(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,

@@ -1,6 +1,7 @@
 #include "model_gltf.h"
 
 #include "model_gltf_motion.h"
+#include "model_weld.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -9,12 +10,6 @@
 
 #define DEPTH_MAX   500 /* of nodes */
 #define TARGETS_MAX 200 /* of a mesh */
-
-/* A vertex as it is compared with others. */
-struct vertex {
-    float position[3], normal[3], uv[2], colour[3];
-    uint32_t source; /* of what moves: the primitive's vertex */
-};
 
 /* A primitive as the file gives it. */
 struct primitive {
@@ -29,7 +24,6 @@ struct reader {
     struct gltf_file *file;
     const struct model_gltf_uv *uvs;
     struct model_scene *scene;
-    uint32_t mesh_room;
     uint64_t triangle_count;
     uint32_t *first_mesh;     /* of each mesh of the file, and one more */
     bool has_whole_positions; /* some positions are integers */
@@ -171,134 +165,44 @@ static bool read_primitive(struct reader *reader, const struct gltf_json *from, 
     return done;
 }
 
-static struct vertex vertex_at(const struct primitive *p, uint32_t i, const struct model_gltf_uv *uv)
-{
-    struct vertex v = {.source = p->moved.joints != NULL || p->moved.target_count > 0 ? i : 0};
-    memcpy(v.position, p->positions + 3 * (size_t)i, sizeof v.position);
-    if (p->normals != NULL) {
-        memcpy(v.normal, p->normals + 3 * (size_t)i, sizeof v.normal);
-    }
-    for (int k = 0; k < 2 && p->uvs != NULL; k++) {
-        const float *from = p->uvs + 2 * (size_t)i;
-        v.uv[k] = (float)(uv->m[k][0] * (double)from[0] + uv->m[k][1] * (double)from[1] + uv->m[k][2]);
-    }
-    for (int c = 0; c < 3 && p->colours != NULL; c++) {
-        v.colour[c] = (float)model_gltf_channel(uv->factor[c] * (double)p->colours[p->channels * (size_t)i + c]) / 255;
-    }
-    return v;
-}
-
-/* A mesh that grows vertex by vertex; equal vertices are found by a hash table. */
-struct welder {
-    struct vertex *vertices;
-    uint32_t *table, mask, count; /* the table holds index + 1, or 0 */
+/* What model_weld() reads of a primitive. */
+struct corners {
+    const struct primitive *p;
+    const struct model_gltf_uv *uv;
 };
 
-static uint32_t weld(struct welder *w, const struct vertex *v)
+static void set_corner(const void *context, size_t corner, struct model_vertex *to)
 {
-    uint32_t words[sizeof *v / 4], hash = 2166136261u;
-    memcpy(words, v, sizeof words);
-    for (size_t i = 0; i < sizeof words / 4; i++) {
-        hash = (hash ^ words[i]) * 16777619u;
-        hash ^= hash >> 15;
+    const struct corners *from = context;
+    const struct primitive *p = from->p;
+    const uint32_t i = p->indices[corner];
+    to->source = p->moved.joints != NULL || p->moved.target_count > 0 ? i : 0;
+    memcpy(to->position, p->positions + 3 * (size_t)i, sizeof to->position);
+    if (p->normals != NULL) {
+        memcpy(to->normal, p->normals + 3 * (size_t)i, sizeof to->normal);
     }
-    for (;; hash++) {
-        uint32_t *slot = &w->table[hash & w->mask];
-        if (*slot == 0) {
-            w->vertices[w->count] = *v;
-            *slot = ++w->count;
-        }
-        /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison,cert-exp42-c,cert-flp37-c): the same bits are meant */
-        if (memcmp(&w->vertices[*slot - 1], v, sizeof *v) == 0) {
-            return *slot - 1;
-        }
+    for (int k = 0; k < 2 && p->uvs != NULL; k++) {
+        const double *m = from->uv->m[k], u = (double)p->uvs[2 * (size_t)i], v = (double)p->uvs[2 * (size_t)i + 1];
+        to->uv[k] = (float)(m[0] * u + m[1] * v + m[2]);
     }
-}
-
-/* The vertices of the welder as arrays of a mesh. */
-static bool fill_mesh(struct model_mesh *mesh, const struct welder *w, const struct primitive *p)
-{
-    mesh->positions = calloc(w->count, sizeof *mesh->positions);
-    mesh->normals = p->normals != NULL ? calloc(w->count, sizeof *mesh->normals) : NULL;
-    mesh->uvs = p->uvs != NULL ? calloc(w->count, sizeof *mesh->uvs) : NULL;
-    mesh->colours = p->colours != NULL ? calloc(w->count, sizeof *mesh->colours) : NULL;
-    mesh->moved.sources = calloc(w->count, sizeof *mesh->moved.sources);
-    if (mesh->positions == NULL || (p->normals != NULL && mesh->normals == NULL) ||
-        (p->uvs != NULL && mesh->uvs == NULL) || (p->colours != NULL && mesh->colours == NULL) ||
-        mesh->moved.sources == NULL) {
-        return false;
+    for (int c = 0; c < 3 && p->colours != NULL; c++) {
+        const double linear = (double)p->colours[p->channels * (size_t)i + (size_t)c];
+        to->colour[c] = (float)model_gltf_channel(from->uv->factor[c] * linear) / 255;
     }
-    for (uint32_t i = 0; i < w->count; i++) {
-        const struct vertex *v = &w->vertices[i];
-        memcpy(mesh->positions[i], v->position, sizeof v->position);
-        if (mesh->normals != NULL) {
-            memcpy(mesh->normals[i], v->normal, sizeof v->normal);
-        }
-        if (mesh->uvs != NULL) {
-            memcpy(mesh->uvs[i], v->uv, sizeof v->uv);
-        }
-        if (mesh->colours != NULL) {
-            memcpy(mesh->colours[i], v->colour, sizeof v->colour);
-        }
-        mesh->moved.sources[i] = v->source;
-    }
-    mesh->vertex_count = w->count;
-    return true;
-}
-
-/* The next mesh of the scene, with the material of the primitive. NULL: no memory. */
-static struct model_mesh *add_mesh(struct reader *reader, const struct primitive *p)
-{
-    struct model_scene *scene = reader->scene;
-    if (scene->mesh_count == reader->mesh_room) {
-        reader->mesh_room = reader->mesh_room * 2 + 16;
-        struct model_mesh *more = realloc(scene->meshes, sizeof *more * reader->mesh_room);
-        if (more == NULL) {
-            return NULL;
-        }
-        scene->meshes = more;
-    }
-    scene->meshes[scene->mesh_count] = (struct model_mesh){.material = p->material, .moved = p->moved};
-    return &scene->meshes[scene->mesh_count++];
-}
-
-/* Makes a mesh of triangles from *next on, as many as there are or as its vertices allow. */
-static bool make_mesh(struct reader *reader, const struct primitive *p, struct welder *w, uint32_t *next)
-{
-    struct model_mesh *mesh = add_mesh(reader, p);
-    uint32_t(*triangles)[3] = calloc(p->triangle_count - *next, sizeof *triangles);
-    if (mesh == NULL || triangles == NULL) {
-        return false;
-    }
-    memset(w->table, 0, sizeof *w->table * (w->mask + 1));
-    w->count = 0;
-    mesh->triangles = triangles;
-    for (; *next < p->triangle_count && w->count + 3 <= MODEL_VERTICES_MAX; ++*next) {
-        for (int i = 0; i < 3; i++) {
-            const struct vertex v = vertex_at(p, p->indices[3 * (size_t)*next + i], &reader->uvs[p->material]);
-            triangles[mesh->triangle_count][i] = weld(w, &v);
-        }
-        mesh->triangle_count++;
-    }
-    return fill_mesh(mesh, w, p);
 }
 
 static bool make_meshes(struct reader *reader, const struct primitive *p)
 {
-    struct welder w = {.mask = 15};
-    const uint64_t corners = (uint64_t)p->triangle_count * 3;
-    while (w.mask < 2 * MODEL_VERTICES_MAX && w.mask < 2 * corners) {
-        w.mask = w.mask * 2 + 1;
-    }
-    w.table = calloc(w.mask + 1, sizeof *w.table);
-    w.vertices = calloc(w.mask + 1, sizeof *w.vertices);
-    bool done = w.table != NULL && w.vertices != NULL;
-    for (uint32_t next = 0; done && next < p->triangle_count;) {
-        done = make_mesh(reader, p, &w, &next);
-    }
-    free(w.table);
-    free(w.vertices);
-    return done || gltf_file_failed(reader->file, "it needs too much memory");
+    const struct corners corners = {p, &reader->uvs[p->material]};
+    return model_weld(reader->scene, &(struct model_triangles){.count = p->triangle_count,
+                                                               .material = p->material,
+                                                               .has_normals = p->normals != NULL,
+                                                               .has_uvs = p->uvs != NULL,
+                                                               .has_colours = p->colours != NULL,
+                                                               .moved = p->moved,
+                                                               .corner = set_corner,
+                                                               .context = &corners}) ||
+           gltf_file_failed(reader->file, "it needs too much memory");
 }
 
 static bool read_meshes(struct reader *reader)
