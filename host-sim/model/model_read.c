@@ -4,7 +4,9 @@
 #include "model_gltf.h"
 #include "model_meshes.h"
 #include "model_obj.h"
+#include "model_ply.h"
 #include "model_rig.h"
+#include "model_stl.h"
 
 /* Counts triangles after every node has its own copy of its meshes. */
 static uint64_t count_triangles(const struct model_scene *scene)
@@ -34,7 +36,11 @@ static bool read_scene(struct model_shared *shared, struct model_scene *scene)
     static const struct {
         const char *ending;
         bool (*read)(struct model_shared *shared, struct model_scene *scene);
-    } readers[] = {{".gltf", model_gltf_read}, {".glb", model_gltf_read}, {".obj", model_obj_read}};
+    } readers[] = {{".gltf", model_gltf_read},
+                   {".glb", model_gltf_read},
+                   {".obj", model_obj_read},
+                   {".stl", model_stl_read},
+                   {".ply", model_ply_read}};
     for (size_t i = 0; i < sizeof readers / sizeof readers[0]; i++) {
         if (model_shared_ends(shared, readers[i].ending)) {
             return readers[i].read(shared, scene);

@@ -100,9 +100,15 @@ static bool add(struct model_shared *shared, struct model_scene *scene, struct m
     return true;
 }
 
-bool model_mtl_plain(struct model_shared *shared, struct model_scene *scene, const struct model_word *texture)
+bool model_mtl_plain(struct model_shared *shared, struct model_scene *scene)
 {
     struct model_surface surface = {.colour = {plain[0], plain[1], plain[2]}, .alpha = 1};
+    return add(shared, scene, NULL, &surface, NULL);
+}
+
+bool model_mtl_white(struct model_shared *shared, struct model_scene *scene, const struct model_word *texture)
+{
+    struct model_surface surface = {.colour = {255, 255, 255}, .two_sided = true, .alpha = 1};
     read_texture(shared, &(struct model_word){"", 0}, &(struct map){.name = *texture}, &surface);
     return add(shared, scene, NULL, &surface, NULL);
 }

@@ -25,7 +25,10 @@ bool model_mtl_read(struct model_shared *shared, struct model_scene *scene, stru
 bool model_mtl_add_plain(struct model_shared *shared, struct model_scene *scene, struct model_mtls *mtls,
                          const struct model_word *name);
 
-/* Adds the material of a format that has none, with a picture beside the model (n 0: without). false: shared->error. */
-bool model_mtl_plain(struct model_shared *shared, struct model_scene *scene, const struct model_word *texture);
+/* Adds the material of what names none. false: shared->error. */
+bool model_mtl_plain(struct model_shared *shared, struct model_scene *scene);
+
+/* Adds a white material for both sides, with a picture beside the model (n 0: without). false: shared->error. */
+bool model_mtl_white(struct model_shared *shared, struct model_scene *scene, const struct model_word *texture);
 
 #endif
