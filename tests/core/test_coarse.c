@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "coarse.h"
+#include "raster.h"
 #include "render.h"
 
 enum { WIDTH = 320, HEIGHT = 64, QUADS = 12, SMALL = 40, CORNERS = 4 * QUADS + 3 * SMALL, SCENES = 150 };

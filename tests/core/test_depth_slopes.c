@@ -10,11 +10,11 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "band.h"
 #include "clip.h"
 #include "demo_stage.h"
 #include "edge.h"
 #include "list.h"
+#include "raster.h"
 #include "ref_random.h"
 #include "ref_rig.h"
 #include "setup.h"

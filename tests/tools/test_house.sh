@@ -82,6 +82,27 @@ includes() { # folder...
 
 circles() { includes "$@" | tsort 2>&1 >/dev/null | sed 's/^tsort: //'; }
 
+# Circles of the objects of a library, each of which needs what the next one defines. A header that declares what several
+# sources define hides none from this.
+object_circles() { # library
+    nm -A -g "$1" | sed 's/^[^:]*://' | awk '
+        { object = $1; sub(/:.*/, "", object) }
+        $(NF - 1) == "U" { needs[object " " $NF]; next }
+        { owner[$NF] = object }
+        END {
+            for (one in needs) {
+                split(one, word, " ")
+                if (word[2] in owner && owner[word[2]] != word[1]) { print word[1], owner[word[2]] }
+            }
+        }' | sort -u | tsort 2>&1 >/dev/null | sed 's/^tsort: //'
+}
+
+an_object_circle() {
+    echo 'int b(void); int a(void) { return b(); }' | cc -x c -c -o "$dir/circle/a.o" - &&
+        echo 'int a(void); int b(void) { return a(); }' | cc -x c -c -o "$dir/circle/b.o" - &&
+        rm -f "$dir/circle/ab.a" && ar rc "$dir/circle/ab.a" "$dir/circle/a.o" "$dir/circle/b.o" && object_circles "$dir/circle/ab.a"
+}
+
 a_circle() {
     mkdir -p "$dir/circle" && echo '#include "b.h"' >"$dir/circle/a.c" && : >"$dir/circle/a.h"
     echo '#include "a.h"' >"$dir/circle/b.c" && : >"$dir/circle/b.h"
@@ -210,6 +231,8 @@ check "libpinhole-host.a exports names of its rooms and modules only" none forei
 check "... another library's are seen" sees . foreign_symbols "$B/libpinhole-host.a" boards
 check "no two modules include each other, however many lie between" none circles "${product[@]}"
 check "... two that do are seen" sees 'circle/a$' a_circle
+check "no two sources of the core need each other, however many lie between" none object_circles "$B/libpinhole.a"
+check "... two that do are seen" sees '^b\.o$' an_object_circle
 check "host-sim has at most 20 entries" none too_many host-sim 20
 check "hal has at most 20 entries" none too_many hal 20
 check "tests has at most 24 entries" none too_many tests 24

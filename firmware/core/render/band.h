@@ -3,7 +3,6 @@
 #define PH_BAND_H
 
 #include "edge.h"
-#include "kernels.h"
 
 struct ph_coarse; /* coarse.h */
 
@@ -16,35 +15,6 @@ struct ph_band {
     int32_t y0, y1, width;
     struct ph_coarse *coarse; /* of these rows; NULL: none is kept */
 };
-
-/* Draws what of a triangle lies in the band. Returns the pixels tested. */
-uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band);
-
-/* Draws pixel (x, y) of the band, which is one of a flat triangle or a line of any depth format. */
-void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band);
-
-/* The same for a triangle that ends in the band. */
-static inline uint32_t ph_draw_fresh(const struct ph_triangle *t, const struct ph_band *band)
-{
-    if (t->kind != PH_KIND_SMALL || t->y_top < band->y0) {
-        return ph_draw_triangle(t, band);
-    }
-    const uint32_t stride = band->stride, first = (uint32_t)(t->y_top - band->y0) * stride;
-    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + first, band->pixels + first, 2 * stride);
-}
-
-/* The same for one that was carried on to this band, where a small one stands at the first row. */
-static inline uint32_t ph_draw_end(const struct ph_triangle *t, const struct ph_band *band)
-{
-    return t->kind == PH_KIND_SMALL ? ph_small_gouraud(&t->small, band->depth, band->pixels, 2 * (uint32_t)band->stride)
-                                    : ph_draw_triangle(t, band);
-}
-
-/* Before the band that begins at row y1 a triangle is stepped down to it; y_bottom is below y1. */
-void ph_step_below(struct ph_triangle *t, int32_t y1);
-
-/* Both for a triangle that goes on below the band, without a copy of a small one. No other core may look at it. */
-uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band);
 
 /* A depth buffer from pixel n on. */
 static inline void *ph_depth_from(void *depth, uint32_t n, bool depth24)
@@ -82,7 +52,7 @@ static inline bool ph_rows_of_half(const struct ph_triangle *t, const struct ph_
     return true;
 }
 
-/* The same, once for all that call it. */
+/* ph_rows_of_half as a function that is not inlined, for callers that run rarely. */
 bool ph_rows_of_half_apart(const struct ph_triangle *t, const struct ph_band *band, int half, struct ph_half_rows *in);
 
 #endif

@@ -6,13 +6,13 @@
  * a triangle gives at a pixel depends on the triangle and the pixel alone: planes are exact modulo 2^32. So the number
  * of slots changes the speed, and nothing else.
  */
-#include "band.h"
 #include "check.h"
 #include "coarse.h"
 #include "cores.h"
 #include "feed.h"
 #include "fine.h"
 #include "kernels.h"
+#include "raster.h"
 #include "setup.h"
 
 #define ASKS_REFS 16 /* after so many references one core asks whether the other is idle */

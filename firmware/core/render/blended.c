@@ -14,9 +14,8 @@
 #include "fog.h"
 #include "kernels.h"
 #include "raster.h"
+#include "raster_rows.h"
 #include "setup.h"
-
-#include "band.h"
 
 /* What the triangles of a draw have in common. */
 struct overlay {

@@ -4,14 +4,6 @@
 #include "feed.h"
 #include "fisheye.h"
 
-/* A triangle that can be seen takes a reference of 8 bytes. Of a closed mesh half can be seen, and there are half as
- * many vertices as triangles: so another 16 bytes hold as many vertices, however many meshes there are. */
-const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
-const size_t ph_triangle_bytes = sizeof(struct ph_vertex) + sizeof(struct ph_ref);
-_Static_assert(sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
-                   sizeof(struct ph_vertex) + sizeof(struct ph_ref) == PH_TRIANGLE_BYTES_32,
-               "see render.h");
-
 static bool is_exponent(unsigned bits)
 {
     return bits == 0 || (bits >= 3 && bits <= 6);

@@ -5,6 +5,7 @@
 #include "exact.h"
 #include "kernels.h"
 #include "planes.h"
+#include "raster_walk.h"
 #include "span.h"
 
 /* ---- listing ---------------------------------------------------------------------------------------------------- */

@@ -10,6 +10,14 @@ enum { OWN, VERTICES, TRIANGLES };
 #define GRAIN   8u          /* bytes */
 #define NO_ROOM 0x3fffffffu /* used: nothing is taken from there */
 
+/* A triangle that can be seen takes a reference of 8 bytes. Of a closed mesh half can be seen, and there are half as
+ * many vertices as triangles: so another 16 bytes hold as many vertices, however many meshes there are. */
+const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
+const size_t ph_triangle_bytes = sizeof(struct ph_vertex) + sizeof(struct ph_ref);
+_Static_assert(sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
+                   sizeof(struct ph_vertex) + sizeof(struct ph_ref) == PH_TRIANGLE_BYTES_32,
+               "see render.h");
+
 /* Whether vertices and triangles share one piece of memory: then it is that of the vertices. */
 static bool is_shared(const struct ph_renderer *r)
 {

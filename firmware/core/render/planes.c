@@ -7,7 +7,6 @@
 #include "planes.h"
 
 #include "colour.h"
-#include "colours.h"
 #include "edge.h"
 
 enum {

@@ -70,4 +70,7 @@ bool ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const stru
 bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                    const fx_t *const uv[3], const struct ph_sides *sides);
 
+/* After ph_set_planes: a triangle of PH_DRAW_COLOURS gets its colours. flat: that of its first corner. */
+void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides, bool flat);
+
 #endif

@@ -1,6 +1,6 @@
 /*
- * Rasterizer: a triangle is walked down its edges, as far as they lie in the band, and its spans are drawn. See band.h.
- * Small triangles, which are the most, are drawn here; the others in raster_*.c.
+ * Rasterizer: a triangle is walked down its edges, as far as they lie in the band, and its spans are drawn. See
+ * raster.h. Small triangles, which are the most, are drawn here; the others in raster_*.c.
  *
  * What a triangle gives at a pixel depends on the triangle and the pixel alone, because planes are exact modulo 2^32.
  * So the picture does not depend on where a band begins.
@@ -8,15 +8,10 @@
 #include "raster.h"
 
 #include "coarse.h"
-#include "colours.h"
-#include "edge.h"
 #include "line.h"
-#include "texture.h"
-
-bool ph_rows_of_half_apart(const struct ph_triangle *t, const struct ph_band *band, int half, struct ph_half_rows *in)
-{
-    return ph_rows_of_half(t, band, half, in);
-}
+#include "raster_exact.h"
+#include "raster_large.h"
+#include "raster_rows.h"
 
 /* Steps n rows down, which are fewer than the upper ones. */
 static inline void skip_upper_rows(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
@@ -171,13 +166,6 @@ static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_b
     }
     const uint32_t stride = band->stride, start = (uint32_t)(t->y_top - band->y0) * stride;
     return ph_small_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
-}
-
-uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band)
-{
-    return t->kind == PH_KIND_TEXTURE   ? ph_draw_textured(t, band)
-           : t->kind == PH_KIND_COLOURS ? ph_draw_colours(t, band)
-                                        : ph_draw_plain(t, band);
 }
 
 /* Of a triangle that is hidden the pixels are counted only. */

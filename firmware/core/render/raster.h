@@ -1,38 +1,35 @@
-/* raster: the ways in which the rows of a triangle are drawn; raster.c chooses one. Private to these files. */
+/* raster: triangles and lines that are set up are drawn into a band. Private to firmware/core. */
 #ifndef PH_RASTER_H
 #define PH_RASTER_H
 
 #include "band.h"
-#include "small_texels.h"
+#include "kernels.h"
 
-/* Whether what draws a triangle takes the stride for the width of the picture. */
-static inline bool ph_ends_at_stride(const struct ph_triangle *t)
+/* Draws what of a triangle lies in the band. Returns the pixels tested. */
+uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band);
+
+/* Draws a triangle that ends in the band: ph_draw_triangle does so too, but a small one is found sooner here. */
+static inline uint32_t ph_draw_fresh(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return t->block != PH_BLOCK_NONE || t->kind == PH_KIND_GOURAUD || t->kind == PH_KIND_SMALL_WIDE;
+    if (t->kind != PH_KIND_SMALL || t->y_top < band->y0) {
+        return ph_draw_triangle(t, band);
+    }
+    const uint32_t stride = band->stride, first = (uint32_t)(t->y_top - band->y0) * stride;
+    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + first, band->pixels + first, 2 * stride);
 }
 
-/* Column 0 of the row in which a triangle goes on. */
-struct ph_place {
-    uint16_t *depth, *pixels;
-    uint32_t stride; /* pixels; see ph_ends_at_stride */
-    bool wide;       /* rows may leave the picture, or have more than PH_SMALL_COLUMNS pixels */
-};
-
-/* Each draws what of a triangle lies in the band, and returns the pixels tested. */
-uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band);       /* row by row */
-uint32_t ph_draw_wide(const struct ph_triangle *t, const struct ph_band *band);  /* Gouraud, depth of 16 bits */
-uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band); /* neither small nor exact */
-uint32_t ph_draw_exact(const struct ph_triangle *t, const struct ph_band *band); /* depth takes 64 bits */
-
-/* Draws the rows of r, which crosses octaves. texels: NULL without a texture. */
-uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
-                            struct ph_small_texels *texels);
-
-/* Draws a triangle without texture that is not small. */
-static inline uint32_t ph_draw_plain(const struct ph_triangle *t, const struct ph_band *band)
+/* Draws a triangle that ends in the band and was carried on to it: a small one stands at the first row. */
+static inline uint32_t ph_draw_end(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return t->kind == PH_KIND_GOURAUD && t->block != PH_BLOCK_LINEAR && !band->depth24 ? ph_draw_wide(t, band)
-                                                                                       : ph_walk(t, band);
+    return t->kind == PH_KIND_SMALL ? ph_small_gouraud(&t->small, band->depth, band->pixels, 2 * (uint32_t)band->stride)
+                                    : ph_draw_triangle(t, band);
 }
+
+/* Before the band that begins at row y1 a triangle is stepped down to it; y_bottom is below y1. */
+void ph_step_below(struct ph_triangle *t, int32_t y1);
+
+/* Draws a triangle that goes on below the band, and steps it down to the next one in place. Only one core may use the
+ * triangle meanwhile. */
+uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band);
 
 #endif

@@ -1,8 +1,9 @@
-/* Triangles whose depth takes 64 bits, drawn strip by strip, or pixel run by pixel run. See exact.h. */
-#include "raster.h"
+/* Triangles whose depth takes 64 bits, drawn strip by strip, or pixel run by pixel run. See raster_exact.h, exact.h. */
+#include "raster_exact.h"
 
 #include "edge.h"
 #include "exact.h"
+#include "raster_large.h"
 
 /* Draws the rows of a strip one by one. */
 static uint32_t draw_exact_rows(const struct ph_triangle *t, const struct ph_band *band, const struct ph_band *rows,

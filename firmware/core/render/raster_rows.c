@@ -1,10 +1,11 @@
 /*
  * Rows of Gouraud and of textured triangles, as the kernels draw them. Where the depth is a float that crosses octaves,
- * rows of one octave are drawn together, and a row that crosses is drawn in pieces. See raster.h.
+ * rows of one octave are drawn together, and a row that crosses is drawn in pieces. See raster_rows.h.
  */
-#include "raster.h"
+#include "raster_rows.h"
 
 #include "edge.h"
+#include "kernels.h"
 #include "span.h"
 
 /* Steps n rows down. At most all of the upper rows are passed; then the lower edge takes over. */

@@ -1,11 +1,12 @@
 /*
  * Triangles that are walked row by row: of one colour, Gouraud with linear-w or depth of 24 bits, and single pixels. A
- * span is drawn in one run, unless its depth crosses octaves. See raster.h.
+ * span is drawn in one run, unless its depth crosses octaves. See raster_walk.h.
  */
-#include "raster.h"
+#include "raster_walk.h"
 
 #include "edge.h"
 #include "exact.h"
+#include "kernels.h"
 #include "span.h"
 
 /* n pixels of a row of a triangle. */

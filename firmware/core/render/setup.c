@@ -5,7 +5,6 @@
  */
 #include "setup.h"
 
-#include "colours.h"
 #include "edge.h"
 #include "exact.h"
 #include "kernels.h"

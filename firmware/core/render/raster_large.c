@@ -1,0 +1,16 @@
+/* See raster_large.h. */
+#include "raster_large.h"
+
+#include "colours.h"
+#include "raster_rows.h"
+#include "raster_walk.h"
+#include "texture.h"
+
+uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const bool gouraud16 = t->kind == PH_KIND_GOURAUD && t->block != PH_BLOCK_LINEAR && !band->depth24;
+    return t->kind == PH_KIND_TEXTURE   ? ph_draw_textured(t, band)
+           : t->kind == PH_KIND_COLOURS ? ph_draw_colours(t, band)
+           : gouraud16                  ? ph_draw_wide(t, band)
+                                        : ph_walk(t, band);
+}

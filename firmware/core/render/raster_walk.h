@@ -1,0 +1,13 @@
+/* raster_walk: triangles that are walked row by row, and single pixels. Private to firmware/core. */
+#ifndef PH_RASTER_WALK_H
+#define PH_RASTER_WALK_H
+
+#include "band.h"
+
+/* Draws what of a triangle of one colour, or of a Gouraud one, lies in the band. Returns the pixels tested. */
+uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band);
+
+/* Draws pixel (x, y) of the band, which is one of a flat triangle or a line of any depth format. */
+void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band);
+
+#endif
