@@ -164,7 +164,7 @@ static void snapped_corners(const struct planes_canvas *canvas, const struct pla
 static void find_run(const struct ph_triangle *triangle, int32_t width, int32_t x, int32_t y, struct ph_triangle *run)
 {
     const struct ph_band row = {.y0 = y, .y1 = y + 1, .width = width};
-    const int half = y >= triangle->y_mid;
+    const int half = y >= triangle->as.large.y_mid;
     struct ph_half_rows in;
     int32_t from = x, to = x + 1; /* a pixel on the diagonal may be the other triangle's */
     if (ph_rows_of_half(triangle, &row, half, &in) && in.left.x >> 16 <= x && in.right.x >> 16 > x) {
@@ -186,14 +186,14 @@ static double code_of(const struct depth_lab *lab, const struct ph_triangle *tri
     if (t == &run) {
         find_run(triangle, lab->width, (int32_t)x, (int32_t)y, &run);
     }
-    const struct ph_small_triangle *const small = &t->small;
+    const struct ph_small_triangle *const small = &t->as.small.rows;
     const struct ph_plane of_small = {small->d - (uint32_t)t->y_top * small->d_dy, small->gd, small->d_dy};
     const bool is_small = t->kind >= PH_KIND_SMALL && t->kind <= PH_KIND_SMALL_SPLIT;
-    const uint32_t at = ph_plane_at(is_small ? &of_small : &t->depth, x, y);
+    const uint32_t at = ph_plane_at(is_small ? &of_small : &t->as.large.depth.as.plane, x, y);
     const uint32_t value = t->kind == PH_KIND_SMALL_KNEE ? ph_knee_code(at, small->knee) : at;
     const double signed_value = value < UINT32_MAX - 65535 ? value : value - 4294967296.0; /* a little beyond far */
     if (t->block == PH_BLOCK_LINEAR) {
-        return ph_depth_linear(&t->linear, value) / 65536.0;
+        return ph_depth_linear(&t->as.large.depth.over_w.linear, value) / 65536.0;
     }
     return t->block != PH_BLOCK_NONE
                ? depth_code_of_float(format, lab, ldexp(signed_value, -32 - ph_block_exponent(t->block)))

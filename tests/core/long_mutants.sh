@@ -63,7 +63,7 @@ vertices truncated in the fast loop      | kernels/portable/vertices.c | s/run->
 6 sub-pixel bits in the fast loop        | kernels/portable/vertices.c | s/>> run->down;/>> run->down \& ~3;/                 | test_quality
 lines half a pixel off                   | render/line.c    | s/across \* 256 - 1/across * 256 + 32767/            | test_lines
 clamped textures repeat                  | render/texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
-light of texels is that of a corner      | render/texels.c  | s/t->small_shades.gx = .*/t->small_shades.gx = 0;/    | test_texture_light
+light of texels is that of a corner      | render/texels.c  | s/small->glight = .*/small->glight = 0;/    | test_texture_light
 a filter without its lower line          | kernels/texel_mix.h | s/ + down \* fv//                                  | test_texture_light
 a map two levels too small               | render/texel_map.h | s/17 - fx_clz32/19 - fx_clz32/                      | test_texture_light
 texture slope left out                   | render/tile_surface.c | s/way->step = .*/way->step = 0;/                      | test_texture
@@ -72,13 +72,13 @@ attenuation lost                         | render/light.c   | s/(int32_t)(recipr
 highlight to another power               | render/light.c   | s/k = local->shininess_log2; k > 0/k = local->shininess_log2; k > 1/ | test_light
 light of another part kept               | render/mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
 depth bias ignored                       | render/planes.h  | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
-steep triangles flattened                | render/setup.c   | s/ph_set_exact(r, t, v, sides);//                    | test_depth_slopes
+steep triangles flattened                | render/setup.c   | s/ph_set_exact(r, t->material, .*//                    | test_depth_slopes
 colours with the depth of large triangles| render/setup.c   | s/small \&\& (colours ||/small \&\& (false ||/        | test_depth_slopes
 a tile of texture over which d wraps     | render/tile_depth.c | s/^        return false;/        ;/                   | test_depth_slopes
 thin triangles left to 15 bits           | kernels/portable/setup_small.c | s/ROUGH_DEPTH = 11/ROUGH_DEPTH = -40/           | test_depth_slopes
 depth beyond the corners                 | render/exact.c   | s/const bool clamped = .*/const bool clamped = false;/ | test_depth_slopes
 exact depth of another octave             | render/exact.c   | s/e->unit - octave;/e->unit - 1 - octave;/           | test_depth_slopes
-the slope's bias ignored                 | render/exact.c   | s/t->material->depth_bias_slope != 0/false/          | test_depth_slopes
+the slope's bias ignored                 | render/exact.c   | s/material->depth_bias_slope != 0/false/          | test_depth_slopes
 light of a texture ignored               | render/planes.h  | s/== PH_SHADE_TEXTURE_LIT ?/== 99 ?/               | test_frame
 red and blue bytes exchanged             | render/colour.c  | s/ph_wire16(/(/                                      | test_frame
 tangent with a term halved               | fx/fx_tan.c      | s/Q33(2, 93555)/Q33(1, 93555)/                       | test_fx

@@ -128,10 +128,12 @@ static void pictures_are_the_same_without_it(void **state)
 /* A triangle of rows 0 .. 15 from column `from` to column `to`, the edge between them aslant or not. */
 static struct ph_triangle wall(int32_t from, int32_t to, int32_t dx_from, int32_t dx_to, uint32_t d)
 {
-    struct ph_triangle t = {.y_bottom = 16, .kind = PH_KIND_FLAT, .block = PH_BLOCK_NONE, .long_left = 1, .colour = 7};
-    t.lower = (struct ph_edge){to * 65536, dx_to};
-    t.long_edge = (struct ph_edge){from * 65536, dx_from};
-    t.depth.base = d;
+    struct ph_triangle t = {.y_bottom = 16, .kind = PH_KIND_FLAT, .block = PH_BLOCK_NONE};
+    t.as.large.long_left = 1;
+    t.as.large.of.colour = 7;
+    t.as.large.lower = (struct ph_edge){to * 65536, dx_to};
+    t.as.large.long_edge = (struct ph_edge){from * 65536, dx_from};
+    t.as.large.depth.as.plane.base = d;
     return t;
 }
 
@@ -172,7 +174,7 @@ static void what_may_be_seen_is_drawn(void **state)
     (void)state;
     assert_int_equal(drawn_behind(wall(-9, 400, 0, 0, 1991u << 16)), 16 * WIDTH);
     struct ph_triangle leaning = wall(0, WIDTH, 0, 0, 1000u << 16);
-    leaning.depth.gx = 4u << 16;
+    leaning.as.large.depth.as.plane.gx = 4u << 16;
     assert_int_equal(drawn_behind(leaning), 16 * WIDTH);
 }
 

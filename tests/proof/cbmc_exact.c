@@ -12,7 +12,7 @@ static void any_codes(struct ph_renderer *r, struct ph_exact *e)
     r->stats.depth_format = (uint8_t)u32_between(0, PH_DEPTH_FORMATS - 1);
     ASSUME(r->lens.far_s >= 0 || r->stats.depth_format == PH_DEPTH_FIXED16 ||
            r->stats.depth_format == PH_DEPTH_FIXED24);
-    set_codes(e, r, u32_between(0, 56));
+    set_codes(e, r);
 }
 
 void proof_in_40_bits(void)
@@ -42,16 +42,20 @@ void proof_set_run(void)
     struct triangle t;
     struct ph_renderer r;
     struct ph_triangle from, run;
-    any_codes(&r, &from.exact);
+    struct ph_exact *const e = &from.as.large.depth.as.exact;
+    struct ph_linear *const linear = &from.as.large.depth.over_w.linear;
+    struct ph_material material;
+    from.material = &material;
+    any_codes(&r, e);
     any_triangle(&t);
     in_view(&r.lens, &t);
     const int a = t.at[0].s, b = t.at[1].s, c = t.at[2].s, ab = a < b ? a : b, least = ab < c ? ab : c;
     const uint64_t d = (uint64_t)i64_between(0, (DEPTHS << 16) - 1);
-    ASSUME(least >= 0 || from.exact.kind == FIXED);
-    ASSUME(from.exact.kind == FIXED || d >> (56 - least) == 0); /* no depth is above that of the nearest corner */
-    from.linear = r.lens.linear;
-    from.linear.down = (int8_t)(from.linear.down - least); /* setup_linear */
-    const int octave = octave_of(&from.exact, d);
+    ASSUME(least >= 0 || e->kind == FIXED);
+    ASSUME(e->kind == FIXED || d >> (56 - least) == 0); /* no depth is above that of the nearest corner */
+    *linear = r.lens.linear;
+    linear->down = (int8_t)(linear->down - least); /* setup_linear */
+    const int octave = octave_of(e, d);
     CLAIM(octave >= 0 && octave <= 31);
     set_run(&from, d, octave, u32_between(0, 1023), u32_between(0, 1023), &run);
 }
@@ -79,8 +83,10 @@ void proof_range_of(void)
 void proof_rows(void)
 {
     struct ph_renderer r;
+    struct ph_material material;
     struct ph_triangle t, run;
-    any_codes(&r, &t.exact);
+    t.material = &material;
+    any_codes(&r, &t.as.large.depth.as.exact);
     const int32_t y = i32_between(0, 1023);
     const struct ph_exact_strip strip = {y, i32_between(y + 1, 1024), i32_between(1, 1024)};
     ph_exact_rows(&t, &strip, &run);
@@ -109,8 +115,10 @@ uint32_t any_count(const struct range *range, uint64_t d, uint64_t gd, uint32_t 
 void proof_run(void)
 {
     struct ph_renderer r;
+    struct ph_material material;
     struct ph_triangle t, run;
-    any_codes(&r, &t.exact);
+    t.material = &material;
+    any_codes(&r, &t.as.large.depth.as.exact);
     const int32_t x = i32_between(0, 1023), x_end = i32_between(x + 1, 1024);
     const int32_t count = ph_exact_run(&t, x, x_end, i32_between(0, 1023), &run);
     CLAIM(count >= 1 && count <= x_end - x);

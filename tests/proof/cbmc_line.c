@@ -33,5 +33,6 @@ void proof_walk(void)
     const int32_t from = wide ? a.x : a.y, to = wide ? b.x : b.y, size = wide ? r.config.width : r.config.height;
     ASSUME(ph_max(ph_first_row(ph_min(from, to)), 0) < ph_min(ph_first_row(ph_max(from, to)), size)); /* list_line */
     walk_of(&r, &a, &b, &t, &part);
-    CLAIM(t.line.count > 0 && t.line.along >= 0 && t.line.along < size && t.y_bottom <= r.config.height);
+    const struct ph_line *const way = &t.as.line.way;
+    CLAIM(way->count > 0 && way->along >= 0 && way->along < size && t.y_bottom <= r.config.height);
 }

@@ -148,11 +148,12 @@ void proof_setup_depth(void)
     struct ph_renderer r;
     struct ph_material m;
     const struct plane_base base = any_base(&t);
-    struct ph_triangle out = {.material = &m};
+    struct ph_depth depth;
+    uint8_t block;
     r.lens = any_lens();
     in_view(&r.lens, &t);
     r.stats.depth_format = (uint8_t)u32_between(0, PH_DEPTH_FORMATS - 1);
-    setup_depth(&r, &base, t.v, &out);
+    setup_depth(&r, &base, &m, t.v, &depth, &block);
 }
 
 void proof_setup_texture(void)

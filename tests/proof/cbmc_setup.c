@@ -46,7 +46,7 @@ void proof_setup_outline(void)
     ASSUME(o.row_top < o.row_low && o.row_top < height && o.row_low > 0); /* ph_first_row_of */
     setup_outline(height, t.v, &out);
     CLAIM(out.y_top >= 0 && out.y_top < out.y_bottom && out.y_bottom <= height);
-    CLAIM(out.y_mid >= out.y_top && out.y_mid <= out.y_bottom);
+    CLAIM(out.as.large.y_mid >= out.y_top && out.as.large.y_mid <= out.y_bottom);
 }
 
 /* The sides of any triangle in reach, and the tests that choose its way. */

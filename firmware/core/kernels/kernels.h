@@ -56,10 +56,10 @@ void ph_halve(uint16_t *to, const uint16_t *upper, const uint16_t *lower, uint32
 /*
  * setup_small.c: edges and planes of a small triangle. It faces the viewer, its sides are below PH_SIDE_SMALL (or below
  * PH_SIDE_SHORT downwards), and it keeps a pixel or more away from the borders of the picture. d
- * is the depth of its corners; no two are 2^31 apart. Sets t->y_top, t->y_bottom and all of t->small but the ramp. If
- * the ramp is NULL, the triangle is textured: t->slopes are set in place of the plane of light. If depth changes by
+ * is the depth of its corners; no two are 2^31 apart. Sets y_top, y_bottom and all of as.small.rows but the ramp. If
+ * the ramp is NULL, the triangle is textured: slopes are set in place of the plane of light. If depth changes by
  * more than 2^25 a pixel, or if the triangle is thin, the 15 bits of a difference that are kept here would show: then
- * small.d, gd and d_dy are left to the caller.
+ * d, gd and d_dy are left to the caller.
  */
 enum ph_small_setup {
     PH_SMALL_NO_ROW, /* the triangle has no row, and nothing is set */

@@ -33,22 +33,23 @@ static inline struct ph_band ph_cut_lower(struct ph_band *band, int32_t rows)
     return lower;
 }
 
-/* The rows of the upper (0) or lower (1) half of a triangle that lie in the band. False if there are none; then only y
- * and y_end are set. */
+/* The rows of the upper (0) or lower (1) half of a large triangle that lie in the band. False if there are none; then
+ * only y and y_end are set. */
 static inline bool ph_rows_of_half(const struct ph_triangle *t, const struct ph_band *band, int half,
                                    struct ph_half_rows *in)
 {
-    const int32_t from = half == 0 ? t->y_top : t->y_mid, to = half == 0 ? t->y_mid : t->y_bottom;
+    const struct ph_large *const l = &t->as.large;
+    const int32_t from = half == 0 ? t->y_top : l->y_mid, to = half == 0 ? l->y_mid : t->y_bottom;
     const int32_t y = from > band->y0 ? from : band->y0, y_end = to < band->y1 ? to : band->y1;
     in->y = y;
     in->y_end = y_end;
     if (y >= y_end) {
         return false;
     }
-    const struct ph_edge long_edge = ph_edge_below(t->long_edge, y - t->y_top);
-    const struct ph_edge other = ph_edge_below(half == 0 ? t->upper : t->lower, y - from);
-    in->left = t->long_left != 0 ? long_edge : other;
-    in->right = t->long_left != 0 ? other : long_edge;
+    const struct ph_edge long_edge = ph_edge_below(l->long_edge, y - t->y_top);
+    const struct ph_edge other = ph_edge_below(half == 0 ? l->upper : l->lower, y - from);
+    in->left = l->long_left != 0 ? long_edge : other;
+    in->right = l->long_left != 0 ? other : long_edge;
     return true;
 }
 

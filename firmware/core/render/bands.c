@@ -287,9 +287,9 @@ static void set_up_fresh(void *argument)
         if (n + __atomic_load_n(&s->claimed[1 - core], __ATOMIC_SEQ_CST) > count) {
             break;
         }
-        struct ph_triangle *const next = core == 0 ? t->next : t->before;
-        if (t->draw != draw) {
-            draw = t->draw;
+        struct ph_triangle *const next = core == 0 ? t->next : t->as.listed.before;
+        if (t->as.listed.draw != draw) {
+            draw = t->as.listed.draw;
             ph_setting_of(&setting, s->r, draw);
         }
         ph_setup(&setting, ph_ref_at(s->r, t->order), t);
@@ -334,8 +334,8 @@ static void take_chunk(struct ph_feed *f, struct spares *spares, struct fresh *f
             break;
         }
         t->order = f->ref;
-        t->draw = f->draw;
-        t->before = last;
+        t->as.listed.draw = f->draw;
+        t->as.listed.before = last;
         *link = last = t;
         link = &t->next;
         f->ref = next_ref(f, ph_ref_at(r, f->ref), f->ref);

@@ -178,8 +178,9 @@ static void draw_over(struct overlay *o, const struct ph_triangle *t, const stru
 static void blend_flat(struct overlay *o, const struct ph_triangle *t)
 {
     const struct ph_band *const band = o->band;
+    const struct ph_plane *const depth = &t->as.large.depth.as.plane;
     const uint32_t alpha = o->alpha;
-    const uint32_t source = ph_spread(t->colour) * alpha + PH_SPREAD_HALF;
+    const uint32_t source = ph_spread(t->as.large.of.colour) * alpha + PH_SPREAD_HALF;
     for (int half = 0; half < 2; half++) {
         struct ph_half_rows in;
         if (!ph_rows_of_half_apart(t, band, half, &in)) {
@@ -190,7 +191,7 @@ static void blend_flat(struct overlay *o, const struct ph_triangle *t)
             if (ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
                 const uint32_t at = (uint32_t)(in.y - band->y0) * band->stride + (uint32_t)from;
                 ph_span_blend(band->pixels + at, (const uint16_t *)band->depth + at, (uint32_t)(to - from),
-                              ph_plane_at(&t->depth, (uint32_t)from, (uint32_t)in.y), t->depth.gx, source, 32 - alpha);
+                              ph_plane_at(depth, (uint32_t)from, (uint32_t)in.y), depth->gx, source, 32 - alpha);
                 o->fragments += (uint32_t)(to - from);
             }
         }

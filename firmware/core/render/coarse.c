@@ -29,7 +29,8 @@ static PH_NOINLINE bool measure(const struct ph_triangle *t, const struct ph_ban
     if (!ph_rows_of_half_apart(t, band, half, in)) {
         return false;
     }
-    const int32_t last = in->y_end - 1, gx = (int32_t)t->depth.gx, gy = (int32_t)t->depth.gy, width = band->width;
+    const struct ph_plane *const depth = &t->as.large.depth.as.plane;
+    const int32_t last = in->y_end - 1, gx = (int32_t)depth->gx, gy = (int32_t)depth->gy, width = band->width;
     const int32_t from = (int32_t)ph_from_column((uint32_t)in->left.x);
     const int32_t from_last = (int32_t)ph_from_column((uint32_t)edge_at(in, &in->left, last));
     const int32_t to = (int32_t)ph_to_column((uint32_t)in->right.x, (uint32_t)width);
@@ -38,7 +39,7 @@ static PH_NOINLINE bool measure(const struct ph_triangle *t, const struct ph_ban
         return false;
     }
     const int32_t x0 = ph_min(from, from_last), x1 = ph_max(to, to_last) - 1;
-    const uint32_t d = ph_plane_at(&t->depth, (uint32_t)from, (uint32_t)in->y); /* that of a pixel */
+    const uint32_t d = ph_plane_at(depth, (uint32_t)from, (uint32_t)in->y); /* that of a pixel */
     o->least = d - most_growth(-gx, from, x0, x1) - most_growth(-gy, in->y, in->y, last);
     *nearest = d + most_growth(gx, from, x0, x1) + most_growth(gy, in->y, in->y, last);
     if (ph_max(from, from_last) == 0) {

@@ -23,7 +23,7 @@
 
 struct ph_occluder {
     struct ph_half_rows in;
-    uint32_t least; /* no pixel's depth is below: as in ph_triangle.depth */
+    uint32_t least; /* no pixel's depth is below: as in ph_depth.as.plane */
 };
 
 struct ph_coarse {

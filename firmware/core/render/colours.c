@@ -24,7 +24,8 @@ static inline bool is_nearer(void *depth, uint32_t i, bool depth24, uint32_t d)
 /* Draws pixels along which the depth code is linear, and steps the colours. */
 static inline void draw_piece(const struct ph_triangle *t, bool depth24, struct piece_of_row *p)
 {
-    const uint32_t gd = p->gd, red_gx = t->attribute[0].gx, green_gx = t->attribute[1].gx, blue_gx = t->attribute[2].gx;
+    const uint32_t gd = p->gd, red_gx = t->as.large.of.colours[0].gx;
+    const uint32_t green_gx = t->as.large.of.colours[1].gx, blue_gx = t->as.large.of.colours[2].gx;
     uint32_t d = p->d, red = p->red, green = p->green, blue = p->blue;
     for (uint32_t i = 0; i < p->n; i++) {
         if (is_nearer(p->depth, i, depth24, d)) {
@@ -43,8 +44,8 @@ static inline void draw_piece(const struct ph_triangle *t, bool depth24, struct 
 static void draw_row(const struct ph_triangle *t, const struct ph_band *band, uint32_t x, uint32_t y, uint32_t left)
 {
     const uint32_t at = (y - (uint32_t)band->y0) * band->stride + x;
-    const struct ph_plane *const a = t->attribute;
-    uint32_t d = ph_plane_at(&t->depth, x, y);
+    const struct ph_plane *const a = t->as.large.of.colours, *const depth = &t->as.large.depth.as.plane;
+    uint32_t d = ph_plane_at(depth, x, y);
     struct piece_of_row p = {.red = ph_plane_at(&a[0], x, y),
                              .green = ph_plane_at(&a[1], x, y),
                              .blue = ph_plane_at(&a[2], x, y),
@@ -62,7 +63,7 @@ static void draw_row(const struct ph_triangle *t, const struct ph_band *band, ui
         }
         p.pixels += p.n;
         p.depth = ph_depth_from(p.depth, p.n, band->depth24);
-        d += t->depth.gx * p.n;
+        d += depth->gx * p.n;
     }
 }
 

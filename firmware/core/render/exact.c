@@ -55,13 +55,12 @@ static void set_plane(struct ph_exact *e, const int64_t d[3], const struct ph_ve
 }
 
 /* How depth becomes codes. */
-static void set_codes(struct ph_exact *e, const struct ph_renderer *r, uint32_t bias)
+static void set_codes(struct ph_exact *e, const struct ph_renderer *r)
 {
     const unsigned format = r->stats.depth_format;
     const bool linear = format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC;
     const bool floats = format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
     e->kind = linear ? LINEAR : floats ? FLOAT : FIXED;
-    e->offset = linear ? 0 : floats ? bias << 13 : PH_DEPTH_BIAS_FIXED16 + (bias << 16);
     e->down = (int8_t)(linear ? r->lens.linear.down : r->lens.float_down);
     e->unit = (uint8_t)(floats ? 24 + r->lens.float_down : 27);
 }
@@ -115,23 +114,21 @@ static void lift(struct ph_exact *e, struct ph_linear *linear, uint32_t slope)
     store(e->low, low + up);
 }
 
-void ph_set_exact(const struct ph_renderer *r, struct ph_triangle *t, const struct ph_vertex *const v[3],
-                  const struct ph_sides *sides)
+void ph_set_exact(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                  const struct ph_sides *sides, struct ph_depth *depth)
 {
-    struct ph_exact *const e = &t->exact;
+    struct ph_exact *const e = &depth->as.exact;
     int64_t d[3];
-    t->depth = t->shades; /* which lies where exact does; runs have it in its place again */
-    set_codes(e, r, ph_depth_bias(t->material));
+    set_codes(e, r);
     for (int i = 0; i < 3; i++) {
         const int64_t far = e->kind == LINEAR ? 0 : in_40_bits(r->lens.far_q, r->lens.far_s);
         const int64_t before = in_40_bits(v[i]->q, v[i]->s) - far;
         d[i] = before > 0 ? before : 0;
     }
     set_plane(e, d, v[0], sides);
-    if (t->material->depth_bias_slope != 0) {
-        lift(e, &t->linear, t->material->depth_bias_slope);
+    if (material->depth_bias_slope != 0) {
+        lift(e, &depth->over_w.linear, material->depth_bias_slope);
     }
-    t->block = PH_BLOCK_EXACT;
 }
 
 /* Depths that become codes with one slope: bottom .. bottom + size. */
@@ -154,47 +151,64 @@ static inline bool holds(const struct range *range, uint64_t d)
     return d - range->bottom <= range->size;
 }
 
-/* For linear-w: the unit of 1/w, and of u/w and v/w with it. It is not larger than that of t, which is the nearest
- * corner's. */
-static void scale_linear(const struct ph_exact *e, const struct ph_triangle *t, int octave, struct ph_triangle *run)
-{
-    run->block = PH_BLOCK_LINEAR;
-    run->linear.down = (int8_t)(e->down - (octave + 1));
-    const int up = t->linear.down - run->linear.down;
-    for (int i = 0; i < 2 && t->kind == PH_KIND_TEXTURE; i++) {
-        const struct ph_plane *const p = &t->attribute[i];
-        run->attribute[i] = (struct ph_plane){p->base << up, p->gx << up, p->gy << up};
-    }
-}
-
 static inline uint64_t depth_at(const struct ph_exact *e, uint32_t x, uint32_t y)
 {
     return load(e->base) + load(e->gx) * x + load(e->gy) * y;
+}
+
+/* What is added to the codes of an octave. */
+static uint32_t offset_of(const struct ph_exact *e, const struct ph_material *material, int octave)
+{
+    const uint32_t bias = ph_depth_bias(material);
+    return e->kind == LINEAR  ? 0
+           : e->kind == FLOAT ? ph_depth_float16_offset(octave, 0, e->down) + (bias << 13)
+                              : PH_DEPTH_BIAS_FIXED16 + (bias << 16);
+}
+
+static struct ph_plane scaled(const struct ph_plane *p, int up)
+{
+    return (struct ph_plane){p->base << up, p->gx << up, p->gy << up};
+}
+
+/* For linear-w: the unit of 1/w, and of u/w and v/w with it. It is not larger than that of t, which is the nearest
+ * corner's. */
+static void scale_linear(const struct ph_triangle *t, int octave, struct ph_triangle *run)
+{
+    struct ph_linear *const linear = &run->as.large.depth.over_w.linear;
+    *linear = t->as.large.depth.over_w.linear;
+    linear->down = (int8_t)(t->as.large.depth.as.exact.down - (octave + 1));
+    run->block = PH_BLOCK_LINEAR;
+    if (t->kind == PH_KIND_TEXTURE) {
+        const int up = t->as.large.depth.over_w.linear.down - linear->down;
+        run->as.large.of.map.u = scaled(&t->as.large.of.map.u, up);
+        run->as.large.of.map.v = scaled(&t->as.large.of.map.v, up);
+    }
 }
 
 /* The plane of a run, through d at pixel (x, y). */
 static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_t x, uint32_t y,
                     struct ph_triangle *run)
 {
-    const struct ph_exact *const e = &t->exact;
-    const uint32_t offset = e->offset + (e->kind == FLOAT ? ph_depth_float16_offset(octave, 0, e->down) : 0);
+    const struct ph_exact *const e = &t->as.large.depth.as.exact;
     const int down = e->unit - octave;
     const uint32_t gx = in_codes(load(e->gx), down, 1), gy = in_codes(load(e->gy), down, 1);
-    run->depth = (struct ph_plane){in_codes(d, down, 0) + offset - x * gx - y * gy, gx, gy};
+    const uint32_t offset = offset_of(e, t->material, octave);
+    run->as.large.depth.as.plane = (struct ph_plane){in_codes(d, down, 0) + offset - x * gx - y * gy, gx, gy};
     run->block = PH_BLOCK_NONE;
     if (e->kind == LINEAR) {
-        scale_linear(e, t, octave, run);
+        scale_linear(t, octave, run);
     }
 }
 
 /* The outline of a run: rows y .. y_end - 1 between two edges, which are given at row y. */
 static void set_rows(struct ph_triangle *run, int32_t y, int32_t y_end, struct ph_edge left, struct ph_edge right)
 {
+    struct ph_large *const large = &run->as.large;
     run->y_top = (int16_t)y;
-    run->y_mid = run->y_bottom = (int16_t)y_end;
-    run->upper = left;
-    run->long_edge = right;
-    run->long_left = false;
+    large->y_mid = run->y_bottom = (int16_t)y_end;
+    large->upper = left;
+    large->long_edge = right;
+    large->long_left = false;
 }
 
 /* The column of an edge so many rows further down. */
@@ -205,7 +219,7 @@ static int32_t column_below(struct ph_edge edge, int32_t rows)
 
 bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *strip, struct ph_triangle *run)
 {
-    const struct ph_exact *const e = &t->exact;
+    const struct ph_exact *const e = &t->as.large.depth.as.exact;
     const int32_t more = strip->rows.y_end - 1 - strip->rows.y;
     const int32_t left = strip->rows.left.x >> 16, left_end = column_below(strip->rows.left, more);
     const int32_t right = strip->rows.right.x >> 16, right_end = column_below(strip->rows.right, more);
@@ -243,7 +257,7 @@ static uint32_t pixels_in(const struct range *range, uint64_t d, uint64_t gd, ui
 
 int32_t ph_exact_run(const struct ph_triangle *t, int32_t x, int32_t x_end, int32_t y, struct ph_triangle *run)
 {
-    const struct ph_exact *const e = &t->exact;
+    const struct ph_exact *const e = &t->as.large.depth.as.exact;
     const uint64_t low = load(e->low), size = load(e->size);
     const uint32_t n = (uint32_t)ph_min(x_end - x, PH_EXACT_RUN);
     uint64_t d = depth_at(e, (uint32_t)x, (uint32_t)y);

@@ -19,9 +19,9 @@
 #define PH_EXACT_RUN  512 /* pixels; the rounded step of a run is half a 24-bit code off at its ends */
 #define PH_EXACT_ROWS 16  /* a strip of rows begins at each multiple */
 
-/* Gives a triangle an exact plane. */
-void ph_set_exact(const struct ph_renderer *r, struct ph_triangle *t, const struct ph_vertex *const v[3],
-                  const struct ph_sides *sides);
+/* Makes an exact plane of a depth, whose plane does not do; `over_w` is set. */
+void ph_set_exact(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                  const struct ph_sides *sides, struct ph_depth *depth);
 
 /* Rows y .. y_end - 1 of one half of a triangle, and its edges at row y. */
 struct ph_exact_strip {

@@ -162,7 +162,7 @@ static inline void pixels_of(struct ph_line *l, struct part *part, int32_t from,
 static inline void walk_of(const struct ph_renderer *r, const struct ph_vertex *a, const struct ph_vertex *b,
                            struct ph_triangle *t, struct part *part)
 {
-    struct ph_line *const l = &t->line;
+    struct ph_line *const l = &t->as.line.way;
     const int32_t dx = b->x - a->x, dy = b->y - a->y;
     const bool wide = fx_magnitude(dx) >= (uint32_t)dy; /* ph_line_is_wide */
     int32_t across = a->y, change = dy;
@@ -212,9 +212,11 @@ static PH_NOINLINE void any_depth(const struct ph_setting *s, const struct ph_ve
     line_corners(a, b, corners);
     const struct ph_vertex *const v[3] = {&corners[0], &corners[1], &corners[2]};
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
+    struct ph_depth *const depth = &t->as.line.depth.any;
     t->kind = PH_KIND_ANY_LINE;
-    if (!ph_set_depth(t, s->r, v, &sides) || t->material->depth_bias_slope != 0) {
-        ph_set_exact(s->r, t, v, &sides);
+    if (!ph_set_depth(s->r, t->material, v, &sides, depth, &t->block) || t->material->depth_bias_slope != 0) {
+        ph_set_exact(s->r, t->material, v, &sides, depth);
+        t->block = PH_BLOCK_EXACT;
     }
 }
 
@@ -245,7 +247,7 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
     t->kind = PH_KIND_LINE;
     t->block = PH_BLOCK_NONE;
     t->material = s->draw.material;
-    t->colour = t->material->colour;
+    t->as.line.colour = t->material->colour;
     walk_of(s->r, from, to, t, &part);
     if (!end_codes(s, from, to, d)) {
         any_depth(s, from, to, t);
@@ -253,8 +255,8 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
     }
     const int32_t change = (int32_t)(d[1] - d[0]);
     const int32_t gd = part.length >= 256 ? step_of(&part, change) : 0;
-    t->depth.gx = (uint32_t)gd;
-    t->depth.base =
+    t->as.line.depth.codes.gd = (uint32_t)gd;
+    t->as.line.depth.codes.d =
         d[0] + (uint32_t)(is_usual(&part) ? (gd >> 8) * part.before
                                           : change_before(change, part.before, part.reciprocal, part.shift));
 }
@@ -274,20 +276,31 @@ static PH_NOINLINE int32_t trim(int32_t across, int32_t slope, uint32_t size, in
     return skipped;
 }
 
-/* Draws count pixels of a line in any depth format, one by one, but the first ones, which are skipped. */
+/* Draws count pixels of a line in any depth format, one by one, but the first ones, which are skipped: each is one of
+ * a flat triangle of that depth. */
 static PH_NOINLINE void draw_any(const struct ph_triangle *t, int32_t skipped, int32_t count,
                                  const struct ph_band *band)
 {
-    struct ph_line l = t->line;
+    struct ph_line l = t->as.line.way;
+    struct ph_triangle flat, pixel;
+    flat.material = t->material;
+    flat.kind = PH_KIND_FLAT;
+    flat.block = t->block;
+    flat.as.large.depth = t->as.line.depth.any;
+    flat.as.large.of.colour = t->as.line.colour;
+    pixel = flat;
     for (step(&l, skipped); count > 0; step(&l, 1), count--) {
-        const int32_t across = l.across >> 16;
-        ph_draw_pixel(t, l.wide ? l.along : across, l.wide ? across : l.along, band);
+        const int32_t across = l.across >> 16, x = l.wide ? l.along : across, y = l.wide ? across : l.along;
+        if (t->block == PH_BLOCK_EXACT) {
+            ph_exact_run(&flat, x, x + 1, y, &pixel);
+        }
+        ph_draw_pixel(&pixel, x, y, band);
     }
 }
 
 uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const struct ph_line *const l = &t->line;
+    const struct ph_line *const l = &t->as.line.way;
     const int32_t stride = band->stride, y0 = band->y0, rows = band->y1 - y0, slope = l->slope;
     int32_t at = l->along, count = l->count, across = l->across, size = rows, skipped = 0; /* at: of the memory */
     struct ph_line_run run;
@@ -325,9 +338,9 @@ uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *ba
         return (uint32_t)count;
     }
     run.across = across;
-    run.gd = t->depth.gx;
-    run.d = t->depth.base + (uint32_t)skipped * t->depth.gx;
-    run.colour = t->colour;
+    run.gd = t->as.line.depth.codes.gd;
+    run.d = t->as.line.depth.codes.d + (uint32_t)skipped * run.gd;
+    run.colour = t->as.line.colour;
     ph_line_pixels(&run, band->pixels + at, (uint16_t *)band->depth + at, (uint32_t)count);
     return (uint32_t)count;
 }
@@ -335,9 +348,9 @@ uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *ba
 void ph_line_step_below(struct ph_triangle *t, int32_t y)
 {
     if (t->kind == PH_KIND_LINE) {
-        const int32_t n = pixels_above(&t->line, y);
-        step(&t->line, n);
-        t->depth.base += (uint32_t)n * t->depth.gx;
+        const int32_t n = pixels_above(&t->as.line.way, y);
+        step(&t->as.line.way, n);
+        t->as.line.depth.codes.d += (uint32_t)n * t->as.line.depth.codes.gd;
         t->y_top = (int16_t)y;
     }
 }

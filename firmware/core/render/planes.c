@@ -279,7 +279,7 @@ bool ph_small_plane_does(const uint32_t d[3], int block)
 /* The rest of a float small triangle's plane: d and its gradients are multiples of 2^down, so no shift loses a bit. */
 static void bend_plane(struct ph_triangle *t, int octave, uint32_t middle)
 {
-    struct ph_small_triangle *const small = &t->small;
+    struct ph_small_triangle *const small = &t->as.small.rows;
     const int down = ph_block_down(t->block), up = octave - down;
     const uint32_t from = small->left >> 16, above = small->d + from * small->gd - middle;
     small->knee = ph_depth_float16_value(middle, up) +
@@ -294,7 +294,7 @@ static void bend_plane(struct ph_triangle *t, int octave, uint32_t middle)
 
 void ph_set_knee(struct ph_triangle *t, const uint32_t d[3])
 {
-    const struct ph_small_triangle *const small = &t->small;
+    const struct ph_small_triangle *const small = &t->as.small.rows;
     const struct octaves at = octaves_of(d, t->block);
     const int down = ph_block_down(t->block), up = at.near - down;
     const uint32_t middle = ((uint32_t)1 << 31) >> at.near; /* where the near octave ends */
@@ -345,56 +345,60 @@ static void round_depth(struct ph_plane *plane, int bits)
 
 /* A float format. False if 32 bits do not do. */
 static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane_base *s,
-                                    const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
+                                    const struct ph_vertex *const v[3], uint32_t bias, struct ph_plane *depth,
+                                    uint8_t *block)
 {
     const bool float16 = r->stats.depth_format == PH_DEPTH_FLOAT16;
     uint32_t d[3];
-    t->block = ph_block_depths(r, v, bias, d);
-    const int halved = depth_plane(s, !float16 || t->block != PH_BLOCK_NONE, d, &t->depth);
-    if (t->block == PH_BLOCK_NONE) {
-        return halved <= 0 && !is_steep(s->sides, &t->depth, STEEP);
+    *block = ph_block_depths(r, v, bias, d);
+    const int halved = depth_plane(s, !float16 || *block != PH_BLOCK_NONE, d, depth);
+    if (*block == PH_BLOCK_NONE) {
+        return halved <= 0 && !is_steep(s->sides, depth, STEEP);
     }
-    const struct octaves at = octaves_of(d, t->block);
+    const struct octaves at = octaves_of(d, *block);
     const int octaves = at.far - at.near, down = r->lens.float_down; /* codes are as steep as d in octave `down` */
-    round_depth(&t->depth, float16 ? down : ph_max(down - at.near, 0));
+    round_depth(depth, float16 ? down : ph_max(down - at.near, 0));
     return halved <= 0 && octaves <= (float16 ? FLOAT16_OCTAVES : FLOAT24_OCTAVES) &&
-           !is_steep(s->sides, &t->depth, ph_max(STEEP + down - at.far, 32));
+           !is_steep(s->sides, depth, ph_max(STEEP + down - at.far, 32));
 }
 
 /* linear-w: the plane of N/w, and how it becomes a code. False if 32 bits do not do. */
 static PH_NOINLINE bool setup_linear(const struct ph_renderer *r, const struct plane_base *s,
-                                     const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
+                                     const struct ph_vertex *const v[3], uint32_t bias, struct ph_depth *depth)
 {
+    struct ph_linear *const linear = &depth->over_w.linear;
     const int least = least_exponent(v);
     const uint32_t w[3] = {corner_over_w(v[0], least), corner_over_w(v[1], least), corner_over_w(v[2], least)};
-    t->block = PH_BLOCK_LINEAR;
-    const int halved = plane_exact(&t->depth, s, w);
-    t->linear = r->lens.linear;
-    t->linear.bias = (uint8_t)(t->linear.bias + bias);
-    t->linear.down = (int8_t)(t->linear.down - least);
+    const int halved = plane_exact(&depth->as.plane, s, w);
+    *linear = r->lens.linear;
+    linear->bias = (uint8_t)(linear->bias + bias);
+    linear->down = (int8_t)(linear->down - least);
     const uint32_t least_w = w[0] < w[1] ? w[0] : w[1];
     const int zeros = fx_clz32(least_w < w[2] ? least_w : w[2]), far_zeros = 3 + r->lens.far_s - least;
     /* At the far plane w changes by as much of itself as 1/w does, before it by less in codes. */
     return halved <= 0 && zeros <= LINEAR_ZEROS &&
-           !is_steep(s->sides, &t->depth, ph_min(STEEP - 1 - 2 * zeros + far_zeros, 48));
+           !is_steep(s->sides, &depth->as.plane, ph_min(STEEP - 1 - 2 * zeros + far_zeros, 48));
 }
 
 /* Depth and block. False if 32 bits do not do. */
 static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct plane_base *s,
-                                    const struct ph_vertex *const v[3], struct ph_triangle *t)
+                                    const struct ph_material *material, const struct ph_vertex *const v[3],
+                                    struct ph_depth *depth, uint8_t *block)
 {
-    const uint32_t bias = ph_depth_bias(t->material);
+    const uint32_t bias = ph_depth_bias(material);
     const unsigned format = r->stats.depth_format;
-    t->block = PH_BLOCK_NONE;
+    struct ph_plane *const plane = &depth->as.plane;
     uint32_t d[3];
     if (format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24) {
-        return setup_float(r, s, v, bias, t);
+        return setup_float(r, s, v, bias, plane, block);
     }
     if (format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC) {
-        return setup_linear(r, s, v, bias, t);
+        *block = PH_BLOCK_LINEAR;
+        return setup_linear(r, s, v, bias, depth);
     }
+    *block = PH_BLOCK_NONE;
     fixed_depths(r, v, bias, d);
-    return depth_plane(s, format != PH_DEPTH_FIXED16, d, &t->depth) <= 0 && !is_steep(s->sides, &t->depth, STEEP);
+    return depth_plane(s, format != PH_DEPTH_FIXED16, d, plane) <= 0 && !is_steep(s->sides, plane, STEEP);
 }
 
 /* u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */
@@ -421,6 +425,8 @@ static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct 
     static const fx_t *const origins[3] = {origin, origin, origin};
     const fx_t *const *from = corner_uv != NULL ? corner_uv : origins;
     const struct ph_texture *const texture = t->material->texture;
+    struct ph_map *const map = &t->as.large.of.map;
+    struct ph_plane *const planes[2] = {&map->u, &map->v};
     const uint32_t positive = (uint32_t)1 << 28;
     uint32_t uv[2][3];
     const int range_u = texture_range(texture, from, 0, uv[0]), range_v = texture_range(texture, from, 1, uv[1]);
@@ -438,13 +444,13 @@ static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct 
             const int32_t share = range <= 14 ? (int32_t)(u << (14 - range)) : (int32_t)u >> (range - 14); /* Q2.30 */
             over_w[i] = (uint32_t)(fx_mul_wide(share, (int32_t)w[i]) >> 32) + positive;
         }
-        plane_through(&t->attribute[axis], s, over_w);
-        t->attribute[axis].base -= positive;
+        plane_through(planes[axis], s, over_w);
+        planes[axis]->base -= positive;
     }
     if (t->block != PH_BLOCK_LINEAR) { /* linear-w has it as its depth */
-        plane_through(&t->attribute[2], s, w);
+        plane_through(&t->as.large.depth.over_w.plane, s, w);
     }
-    t->range_log2 = (uint8_t)range;
+    map->range_log2 = (uint8_t)range;
 }
 
 /* The plane of the light of texels. */
@@ -455,7 +461,7 @@ static PH_NOINLINE void setup_shades(const struct plane_base *s, const struct ph
     for (int i = 0; i < 3; i++) {
         light[i] = ph_texel_light_of(t->material, v[i]) + PH_TEXEL_LIGHT_UP;
     }
-    plane_light(&t->shades, s, light);
+    plane_light(&t->as.large.of.map.shades, s, light);
 }
 
 /* The colour of a light. */
@@ -475,14 +481,17 @@ void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], c
     static const uint8_t from[3] = {11, 5, 0}, bits[3] = {5, 6, 5};
     struct plane_base base;
     t->kind = flat || t->block == PH_BLOCK_LINEAR ? PH_KIND_FLAT : PH_KIND_COLOURS;
-    t->colour = ph_wire16(v[0]->light);
+    if (t->kind == PH_KIND_FLAT) {
+        t->as.large.of.colour = ph_wire16(v[0]->light);
+        return;
+    }
     rare_base(&base, v[0], sides);
-    for (int k = 0; k < 3 && t->kind == PH_KIND_COLOURS; k++) {
+    for (int k = 0; k < 3; k++) {
         uint32_t at[3];
         for (int i = 0; i < 3; i++) {
             at[i] = ((uint32_t)v[i]->light >> from[k]) << (32 - bits[k]) | (uint32_t)1 << (31 - bits[k]);
         }
-        plane_through(&t->attribute[k], &base, at);
+        plane_through(&t->as.large.of.colours[k], &base, at);
     }
 }
 
@@ -494,13 +503,13 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
     t->kind = PH_KIND_FLAT;
     switch (material->shading) {
     case PH_SHADE_FLAT:
-        t->colour = ramp_colour(material, v[0]->light);
+        t->as.large.of.colour = ramp_colour(material, v[0]->light);
         return;
     case PH_SHADE_GOURAUD:
         if (material->ramp != NULL) {
             t->kind = PH_KIND_GOURAUD;
             const int32_t light[3] = {v[0]->light, v[1]->light, v[2]->light};
-            plane_light(&t->attribute[0], s, light);
+            plane_light(&t->as.large.of.light, s, light);
             return;
         }
         break;
@@ -509,9 +518,9 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
     case PH_SHADE_TEXTURE_GOURAUD:
         if (material->texture != NULL) {
             t->kind = PH_KIND_TEXTURE;
-            t->colour = ph_texture_light(material, v[0]);
+            t->as.large.of.map.light = ph_texture_light(material, v[0]);
             setup_texture(r, s, v, uv, t);
-            if ((t->colour & PH_TEXELS_SHADED) != 0) {
+            if (t->as.large.of.map.light.shaded) {
                 setup_shades(s, v, t);
             }
             return;
@@ -520,7 +529,7 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
     default:
         break;
     }
-    t->colour = material->colour;
+    t->as.large.of.colour = material->colour;
 }
 
 bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
@@ -528,17 +537,17 @@ bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const str
 {
     struct plane_base base;
     plane_base(&base, v[0], sides);
-    const bool fits = setup_depth(r, &base, v, t);
+    const bool fits = setup_depth(r, &base, t->material, v, &t->as.large.depth, &t->block);
     setup_shading(r, &base, v, uv, t);
     return fits;
 }
 
-bool ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
-                  const struct ph_sides *sides)
+bool ph_set_depth(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                  const struct ph_sides *sides, struct ph_depth *depth, uint8_t *block)
 {
     struct plane_base base;
     rare_base(&base, v[0], sides);
-    return setup_depth(r, &base, v, t);
+    return setup_depth(r, &base, material, v, depth, block);
 }
 
 bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,

@@ -17,14 +17,14 @@ static inline uint32_t ph_depth_bias(const struct ph_material *material)
     return material->depth_bias < 56 ? material->depth_bias : 56;
 }
 
-/* What struct ph_triangle has as the colour of a textured triangle; `first` is its first corner. */
-static inline uint16_t ph_texture_light(const struct ph_material *material, const struct ph_vertex *first)
+/* What the texels of a triangle are drawn with; `first` is its first corner. */
+static inline struct ph_texel_light ph_texture_light(const struct ph_material *material, const struct ph_vertex *first)
 {
     const unsigned shading = material->shading;
     const unsigned light =
         shading == PH_SHADE_TEXTURE_LIT ? ((uint32_t)(first->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1) : 32;
-    const unsigned shaded = shading == PH_SHADE_TEXTURE_GOURAUD ? PH_TEXELS_SHADED : 0;
-    return (uint16_t)(light | shaded | (material->texture->filter != PH_FILTER_NEAREST ? PH_TEXELS_SMOOTH : 0));
+    return (struct ph_texel_light){(uint8_t)light, shading == PH_SHADE_TEXTURE_GOURAUD,
+                                   material->texture->filter != PH_FILTER_NEAREST};
 }
 
 /* The light of a texel at a vertex, in 2^-8 of a 32nd: 32 32nds give its colour, 64 white. */
@@ -61,11 +61,11 @@ void ph_set_knee(struct ph_triangle *t, const uint32_t d[3]);
 bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
                     const uint32_t d[3]);
 
-/* Sets t->depth and t->block. False if 32 bits do not do: see exact.h. */
-bool ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
-                  const struct ph_sides *sides);
+/* Sets depth and block. False if 32 bits do not do: see exact.h. */
+bool ph_set_depth(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                  const struct ph_sides *sides, struct ph_depth *depth, uint8_t *block);
 
-/* Sets what the pixels of a triangle take: kind, colour, depth, block, attribute, range_log2; material is set already.
+/* Sets what the pixels of a large triangle take: all but rows and edges; material is set already.
  * uv: those of each corner; NULL if the material has no texture. False if 32 bits do not do for depth. */
 bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                    const fx_t *const uv[3], const struct ph_sides *sides);

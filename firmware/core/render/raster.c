@@ -91,7 +91,7 @@ static PH_NOINLINE void mend_light(struct ph_small_triangle *r, uint32_t n)
 /* Draws a small triangle that the band cuts, or that has a knee. */
 static PH_NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_band *band)
 {
-    struct ph_small_triangle r = t->small;
+    struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = cut_rows(t, band, &r);
     return draw_left(t, &r, &at);
 }
@@ -99,7 +99,7 @@ static PH_NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct p
 /* Draws a small triangle that crosses octaves. */
 static PH_NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph_band *band)
 {
-    struct ph_small_triangle r = t->small;
+    struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = cut_rows(t, band, &r);
     return ph_draw_rows_split(t, &r, at, NULL);
 }
@@ -110,9 +110,9 @@ static PH_NOINLINE uint32_t draw_fine(const struct ph_triangle *t, const struct 
     const uint32_t stride_bytes = 2 * (uint32_t)band->stride;
     if (t->y_top >= band->y0 && t->y_bottom <= band->y1) {
         const uint32_t start = (uint32_t)(t->y_top - band->y0) * band->stride;
-        return ph_fine_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, stride_bytes);
+        return ph_fine_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start, stride_bytes);
     }
-    struct ph_small_triangle r = t->small;
+    struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = cut_rows(t, band, &r);
     if (t->y_top < band->y0) {
         mend_light(&r, (uint32_t)(band->y0 - t->y_top));
@@ -123,7 +123,7 @@ static PH_NOINLINE uint32_t draw_fine(const struct ph_triangle *t, const struct 
 /* ph_draw_above for that. */
 static PH_NOINLINE uint32_t draw_fine_above(struct ph_triangle *t, const struct ph_band *band)
 {
-    struct ph_small_triangle *const small = &t->small;
+    struct ph_small_triangle *const small = &t->as.small.rows;
     if (t->y_top < band->y0) {
         ph_step_below(t, band->y0);
     }
@@ -139,7 +139,7 @@ static PH_NOINLINE uint32_t draw_fine_above(struct ph_triangle *t, const struct 
 /* Draws a triangle that is small but for its long rows. */
 static PH_NOINLINE uint32_t draw_wide(const struct ph_triangle *t, const struct ph_band *band)
 {
-    struct ph_small_triangle r = t->small;
+    struct ph_small_triangle r = t->as.small.rows;
     struct ph_place at = cut_rows(t, band, &r);
     if (t->block != PH_BLOCK_NONE) {
         at.wide = true;
@@ -151,7 +151,7 @@ static PH_NOINLINE uint32_t draw_wide(const struct ph_triangle *t, const struct 
 /* Draws a small textured triangle that crosses octaves. */
 static PH_NOINLINE uint32_t draw_split_texture(const struct ph_triangle *t, const struct ph_band *band)
 {
-    struct ph_small_triangle r = t->small;
+    struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = cut_rows(t, band, &r);
     struct ph_small_texels texels;
     ph_small_texels_begin(&texels, t, t->y_top > band->y0 ? t->y_top : band->y0, 2 * at.stride);
@@ -165,7 +165,7 @@ static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_b
         return draw_cut(t, band);
     }
     const uint32_t stride = band->stride, start = (uint32_t)(t->y_top - band->y0) * stride;
-    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
+    return ph_small_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
 }
 
 /* Of a triangle that is hidden the pixels are counted only. */
@@ -232,10 +232,10 @@ void ph_step_below(struct ph_triangle *t, int32_t y1)
     const bool is_fine = t->kind == PH_KIND_SMALL_FINE;
     if (is_fine || can_step(t)) {
         const uint32_t rows = (uint32_t)(y1 - t->y_top);
-        skip_rows(&t->small, rows);
+        skip_rows(&t->as.small.rows, rows);
         t->y_top = (int16_t)y1;
         if (is_fine) {
-            mend_light(&t->small, rows);
+            mend_light(&t->as.small.rows, rows);
         }
     }
 }
@@ -256,7 +256,7 @@ uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
     if (!can_step(t) || t->y_top < band->y0) {
         return draw_then_step(t, band);
     }
-    struct ph_small_triangle *const small = &t->small;
+    struct ph_small_triangle *const small = &t->as.small.rows;
     const uint32_t rows = (uint32_t)(band->y1 - t->y_top), upper_rows = small->upper_rows, stride = band->stride;
     const uint32_t lower_rows = small->lower_rows, start = (uint32_t)(t->y_top - band->y0) * stride;
     const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride, false};

@@ -15,14 +15,15 @@ static inline uint32_t ph_draw_fresh(const struct ph_triangle *t, const struct p
         return ph_draw_triangle(t, band);
     }
     const uint32_t stride = band->stride, first = (uint32_t)(t->y_top - band->y0) * stride;
-    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + first, band->pixels + first, 2 * stride);
+    return ph_small_gouraud(&t->as.small.rows, (uint16_t *)band->depth + first, band->pixels + first, 2 * stride);
 }
 
 /* Draws a triangle that ends in the band and was carried on to it: a small one stands at the first row. */
 static inline uint32_t ph_draw_end(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return t->kind == PH_KIND_SMALL ? ph_small_gouraud(&t->small, band->depth, band->pixels, 2 * (uint32_t)band->stride)
-                                    : ph_draw_triangle(t, band);
+    return t->kind == PH_KIND_SMALL
+               ? ph_small_gouraud(&t->as.small.rows, band->depth, band->pixels, 2 * (uint32_t)band->stride)
+               : ph_draw_triangle(t, band);
 }
 
 /* Before the band that begins at row y1 a triangle is stepped down to it; y_bottom is below y1. */

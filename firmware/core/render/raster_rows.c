@@ -199,7 +199,7 @@ static uint32_t draw_wide_rows(const struct ph_triangle *t, struct ph_small_tria
 /* Draws a Gouraud triangle that is not small, with depth of 16 bits. */
 uint32_t ph_draw_wide(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const struct ph_plane *const depth = &t->depth, *const light = &t->attribute[0];
+    const struct ph_plane *const depth = &t->as.large.depth.as.plane, *const light = &t->as.large.of.light;
     struct ph_small_triangle r;
     uint32_t count = 0;
     r.lower_rows = 0;

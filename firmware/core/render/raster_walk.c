@@ -5,36 +5,36 @@
 #include "raster_walk.h"
 
 #include "edge.h"
-#include "exact.h"
 #include "kernels.h"
 #include "span.h"
 
 /* n pixels of a row of a triangle. */
 struct row {
     uint16_t *pixels;
-    void *depth;        /* as in struct ph_band; both are of the first pixel */
-    uint32_t n, d;      /* d: depth at the first pixel, in units of the plane */
-    uint32_t attribute; /* Gouraud: light at the first pixel */
+    void *depth;    /* as in struct ph_band; both are of the first pixel */
+    uint32_t n, d;  /* d: depth at the first pixel, in units of the plane */
+    uint32_t light; /* Gouraud: at the first pixel */
 };
 
 /* Draws a run of pixels along which the depth code is linear. */
 static inline void draw_run(const struct ph_triangle *t, bool depth24, const struct row *row, uint32_t gd)
 {
     const bool gouraud = t->kind == PH_KIND_GOURAUD, linear = t->block == PH_BLOCK_LINEAR;
-    const uint32_t light = row->attribute, glight = t->attribute[0].gx;
+    const struct ph_linear *const codes = &t->as.large.depth.over_w.linear;
+    const struct ph_plane *const of_light = &t->as.large.of.light;
     const uint16_t *const ramp = t->material->ramp;
     if (depth24 && gouraud) {
-        ph_span_gouraud24(row->pixels, row->depth, row->n, row->d, gd, light, glight, ramp);
+        ph_span_gouraud24(row->pixels, row->depth, row->n, row->d, gd, row->light, of_light->gx, ramp);
     } else if (depth24) {
-        ph_span_flat24(row->pixels, row->depth, row->n, row->d, gd, t->colour);
+        ph_span_flat24(row->pixels, row->depth, row->n, row->d, gd, t->as.large.of.colour);
     } else if (linear && gouraud) {
-        ph_span_gouraud_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, light, glight, ramp);
+        ph_span_gouraud_linear(row->pixels, row->depth, row->n, row->d, gd, codes, row->light, of_light->gx, ramp);
     } else if (linear) {
-        ph_span_flat_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, t->colour);
+        ph_span_flat_linear(row->pixels, row->depth, row->n, row->d, gd, codes, t->as.large.of.colour);
     } else if (gouraud) {
-        ph_span_gouraud(row->pixels, row->depth, row->n, row->d, gd, light, glight, ramp);
+        ph_span_gouraud(row->pixels, row->depth, row->n, row->d, gd, row->light, of_light->gx, ramp);
     } else {
-        ph_span_flat(row->pixels, row->depth, row->n, row->d, gd, t->colour);
+        ph_span_flat(row->pixels, row->depth, row->n, row->d, gd, t->as.large.of.colour);
     }
 }
 
@@ -49,8 +49,8 @@ static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
         draw_run(t, depth24, &row, piece.gd);
         row.pixels += row.n;
         row.depth = ph_depth_from(row.depth, row.n, depth24);
-        row.attribute += t->attribute[0].gx * row.n;
-        d += t->depth.gx * row.n;
+        row.light += t->kind == PH_KIND_GOURAUD ? t->as.large.of.light.gx * row.n : 0;
+        d += t->as.large.depth.as.plane.gx * row.n;
         left -= row.n;
     }
 }
@@ -59,24 +59,23 @@ static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
 static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
     const uint32_t stride = band->stride;
-    uint32_t at = (uint32_t)(in.y - band->y0) * stride, d = t->depth.base + (uint32_t)in.y * t->depth.gy;
-    uint32_t light = t->attribute[0].base + (uint32_t)in.y * t->attribute[0].gy, count = 0;
+    const struct ph_plane *const depth = &t->as.large.depth.as.plane;
+    uint32_t at = (uint32_t)(in.y - band->y0) * stride, count = 0;
     for (; in.y < in.y_end; in.y++) {
         int32_t from, to;
         if (ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
-            const uint32_t x = (uint32_t)from, n = (uint32_t)(to - from);
+            const uint32_t x = (uint32_t)from, y = (uint32_t)in.y, n = (uint32_t)(to - from);
             const struct row row = {band->pixels + at + x, ph_depth_from(band->depth, at + x, band->depth24), n,
-                                    d + x * t->depth.gx, light + x * t->attribute[0].gx};
+                                    ph_plane_at(depth, x, y),
+                                    t->kind == PH_KIND_GOURAUD ? ph_plane_at(&t->as.large.of.light, x, y) : 0};
             if (t->block >= PH_BLOCK_LINEAR) { /* no octaves to cross */
-                draw_run(t, band->depth24, &row, t->depth.gx);
+                draw_run(t, band->depth24, &row, depth->gx);
             } else {
                 draw_span(t, band->depth24, row);
             }
             count += n;
         }
         at += stride;
-        d += t->depth.gy;
-        light += t->attribute[0].gy;
     }
     return count;
 }
@@ -97,13 +96,14 @@ static inline bool take_code(const struct ph_triangle *t, struct ph_octave *octa
     return true;
 }
 
-/* The same for one colour and depth codes of 16 bits. */
+/* Draws rows of a half in one colour, with depth codes of 16 bits. */
 static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
-    const uint32_t stride = band->stride, start = (uint32_t)(in.y - band->y0) * stride, gd = t->depth.gx,
-                   d_dy = t->depth.gy;
+    const uint32_t stride = band->stride, start = (uint32_t)(in.y - band->y0) * stride;
+    const uint32_t gd = t->as.large.depth.as.plane.gx, d_dy = t->as.large.depth.as.plane.gy;
     uint16_t *pixels = band->pixels + start, *depth = (uint16_t *)band->depth + start;
-    uint32_t row_d = t->depth.base + (uint32_t)in.y * d_dy, count = 0;
+    uint32_t row_d = t->as.large.depth.as.plane.base + (uint32_t)in.y * d_dy, count = 0;
+    const uint16_t colour = t->as.large.of.colour;
     struct ph_octave octave = {0};
     for (int32_t rows = in.y_end - in.y; rows > 0; rows--) {
         int32_t from, to;
@@ -111,7 +111,7 @@ static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band
             const uint32_t n = (uint32_t)(to - from);
             uint32_t d = row_d + (uint32_t)from * gd, slope = gd;
             if (t->block == PH_BLOCK_NONE || take_code(t, &octave, n, &d, &slope)) {
-                ph_span_flat(pixels + from, depth + from, n, d, slope, t->colour);
+                ph_span_flat(pixels + from, depth + from, n, d, slope, colour);
             } else {
                 draw_span(t, false, (struct row){pixels + from, depth + from, n, d, 0});
             }
@@ -137,22 +137,10 @@ uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band)
     return count;
 }
 
-/* Draws a pixel of a triangle whose depth does not stand in `exact`. */
-static inline void draw_pixel(const struct ph_triangle *t, uint32_t x, uint32_t y, const struct ph_band *band)
-{
-    const uint32_t at = (y - (uint32_t)band->y0) * band->stride + x;
-    draw_span(t, band->depth24,
-              (struct row){band->pixels + at, ph_depth_from(band->depth, at, band->depth24), 1,
-                           ph_plane_at(&t->depth, x, y), 0});
-}
-
 PH_NOINLINE void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band)
 {
-    if (t->block != PH_BLOCK_EXACT) {
-        draw_pixel(t, (uint32_t)x, (uint32_t)y, band);
-        return;
-    }
-    struct ph_triangle pixel = *t;
-    ph_exact_run(t, x, x + 1, y, &pixel);
-    draw_pixel(&pixel, (uint32_t)x, (uint32_t)y, band);
+    const uint32_t at = (uint32_t)(y - band->y0) * band->stride + (uint32_t)x;
+    draw_span(t, band->depth24,
+              (struct row){band->pixels + at, ph_depth_from(band->depth, at, band->depth24), 1,
+                           ph_plane_at(&t->as.large.depth.as.plane, (uint32_t)x, (uint32_t)y), 0});
 }

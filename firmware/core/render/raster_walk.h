@@ -7,7 +7,7 @@
 /* Draws what of a triangle of one colour, or of a Gouraud one, lies in the band. Returns the pixels tested. */
 uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band);
 
-/* Draws pixel (x, y) of the band, which is one of a flat triangle or a line of any depth format. */
+/* Draws pixel (x, y) of the band, which is one of a flat triangle whose depth is not exact. */
 void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band);
 
 #endif

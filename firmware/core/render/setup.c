@@ -46,16 +46,17 @@ static FX_APART void setup_outline(int32_t height, const struct ph_vertex *const
     const struct ph_outline o = ph_outline(v);
     const int32_t y_top = ph_max(o.row_top, 0), y_bottom = ph_min(o.row_low, height);
     const int32_t y_mid = ph_max(ph_min(o.row_mid, height), 0);
-    t->long_left = o.long_left;
+    struct ph_large *const large = &t->as.large;
     t->y_top = (int16_t)y_top;
-    t->y_mid = (int16_t)y_mid;
     t->y_bottom = (int16_t)y_bottom;
-    setup_edge(o.top, o.low, y_top, &t->long_edge);
+    large->long_left = o.long_left;
+    large->y_mid = (int16_t)y_mid;
+    setup_edge(o.top, o.low, y_top, &large->long_edge);
     if (y_mid > y_top) {
-        setup_edge(o.top, o.mid, y_top, &t->upper);
+        setup_edge(o.top, o.mid, y_top, &large->upper);
     }
     if (y_bottom > y_mid) {
-        setup_edge(o.mid, o.low, y_mid, &t->lower);
+        setup_edge(o.mid, o.low, y_mid, &large->lower);
     }
 }
 
@@ -140,10 +141,11 @@ static bool rows_are_empty(struct ph_edge left, struct ph_edge right, int32_t ro
 /* Whether a triangle lies between all pixel centres, as thin ones often do. */
 static bool is_empty(const struct ph_triangle *t)
 {
-    const int32_t upper = t->y_mid - t->y_top, lower = t->y_bottom - t->y_mid;
-    const struct ph_edge below = ph_edge_below(t->long_edge, upper);
-    return t->long_left ? rows_are_empty(t->long_edge, t->upper, upper) && rows_are_empty(below, t->lower, lower)
-                        : rows_are_empty(t->upper, t->long_edge, upper) && rows_are_empty(t->lower, below, lower);
+    const struct ph_large *const l = &t->as.large;
+    const int32_t upper = l->y_mid - t->y_top, lower = t->y_bottom - l->y_mid;
+    const struct ph_edge below = ph_edge_below(l->long_edge, upper);
+    return l->long_left ? rows_are_empty(l->long_edge, l->upper, upper) && rows_are_empty(below, l->lower, lower)
+                        : rows_are_empty(l->upper, l->long_edge, upper) && rows_are_empty(l->lower, below, lower);
 }
 
 static bool small_is_empty(const struct ph_small_triangle *s)
@@ -160,21 +162,21 @@ static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rend
                                      const struct ph_vertex *const v[3], const struct ph_sides *sides,
                                      const uint32_t d[3], enum ph_small_setup done)
 {
-    struct ph_small_triangle *const small = &t->small;
-    struct ph_triangle any;
+    struct ph_small_triangle *const small = &t->as.small.rows;
+    struct ph_depth any;
+    uint8_t block = PH_BLOCK_NONE;
     if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_small_plane_does(d, t->block)) {
         small->d = ph_block_rounded(small->d, t->block); /* rounded: see planes.c; the gradients are multiples of 256 */
         return true;
     }
-    any.block = PH_BLOCK_NONE;
-    any.material = t->material;
-    if (t->block != PH_BLOCK_NONE ? !ph_set_depth(&any, r, v, sides) : !ph_depth_plane(&any.depth, v[0], sides, d)) {
+    if (t->block != PH_BLOCK_NONE ? !ph_set_depth(r, t->material, v, sides, &any, &block)
+                                  : !ph_depth_plane(&any.as.plane, v[0], sides, d)) {
         return false;
     }
-    t->block = any.block;
-    small->gd = any.depth.gx;
-    small->d_dy = any.depth.gy;
-    small->d = any.depth.base + (uint32_t)t->y_top * any.depth.gy;
+    t->block = block;
+    small->gd = any.as.plane.gx;
+    small->d_dy = any.as.plane.gy;
+    small->d = any.as.plane.base + (uint32_t)t->y_top * any.as.plane.gy;
     return true;
 }
 
@@ -186,7 +188,7 @@ static PH_NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_
     struct ph_triangle other;
     uint32_t d[3];
     other.material = t->material;
-    other.small.ramp = NULL;
+    other.as.small.rows.ramp = NULL;
     if (!small_depths(s, v, d, &other.block)) {
         return fits;
     }
@@ -197,9 +199,10 @@ static PH_NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_
     if ((done == PH_SMALL_STEEP || other.block != PH_BLOCK_NONE) && !finish_depth(&other, s->r, v, sides, d, done)) {
         return false;
     }
-    const struct ph_small_triangle *const small = &other.small;
+    const struct ph_small_triangle *const small = &other.as.small.rows;
     t->block = other.block;
-    t->depth = (struct ph_plane){small->d - (uint32_t)other.y_top * small->d_dy, small->gd, small->d_dy};
+    t->as.large.depth.as.plane =
+        (struct ph_plane){small->d - (uint32_t)other.y_top * small->d_dy, small->gd, small->d_dy};
     return true;
 }
 
@@ -216,13 +219,14 @@ static bool is_tall(const struct ph_renderer *r, const struct ph_vertex *const v
  * planes stay what they are. */
 static PH_NOINLINE void take_tall(struct ph_triangle *t)
 {
-    const bool long_left = t->long_left != 0;
+    const struct ph_large *const l = &t->as.large;
+    const bool long_left = l->long_left != 0;
     const uint32_t y = (uint32_t)t->y_top;
-    const int32_t upper_rows = t->y_mid - t->y_top, lower_rows = t->y_bottom - t->y_mid;
-    const struct ph_edge edge = t->long_edge, lower = t->lower, other = upper_rows > 0 ? t->upper : lower;
+    const int32_t upper_rows = l->y_mid - t->y_top, lower_rows = t->y_bottom - l->y_mid;
+    const struct ph_edge edge = l->long_edge, lower = l->lower, other = upper_rows > 0 ? l->upper : lower;
     const struct ph_edge left = long_left ? edge : other, right = long_left ? other : edge;
-    const struct ph_plane depth = t->depth, light = t->attribute[0];
-    struct ph_small_triangle *const small = &t->small;
+    const struct ph_plane depth = l->depth.as.plane, light = l->of.light;
+    struct ph_small_triangle *const small = &t->as.small.rows;
     t->kind = PH_KIND_SMALL;
     small->left_dx = (uint32_t)left.dx;
     small->right_dx = (uint32_t)right.dx;
@@ -258,7 +262,8 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
         fits = take_small_depth(t, s, v, sides, fits);
     }
     if (!fits && !is_empty(t)) {
-        ph_set_exact(r, t, v, sides);
+        ph_set_exact(r, t->material, v, sides, &t->as.large.depth);
+        t->block = PH_BLOCK_EXACT;
     } else if (fits && t->kind == PH_KIND_GOURAUD && t->block == PH_BLOCK_NONE && is_tall(r, v, sides) &&
                r->stats.depth_format <= PH_DEPTH_FLOAT16 && t->y_top < t->y_bottom) {
         take_tall(t);
@@ -327,7 +332,7 @@ static void light_pixels(struct ph_small_triangle *small, uint32_t is_second)
  * of PH_KIND_SMALL_FINE. False: it stays as it is. */
 static inline bool share_light(struct ph_triangle *t)
 {
-    struct ph_small_triangle *const small = &t->small;
+    struct ph_small_triangle *const small = &t->as.small.rows;
     if (ph_without_sign((int32_t)small->glight) + ph_without_sign((int32_t)small->light_dy) > LIGHT_GENTLE) {
         return false;
     }
@@ -352,8 +357,8 @@ static bool has_long_rows(const struct ph_small_triangle *small)
 static inline void set_light(const struct ph_setting *s, const struct ph_vertex *first, struct ph_triangle *t)
 {
     if (s->shading != PH_SHADE_GOURAUD) {
-        t->small.light = s->shading == PH_SHADE_FLAT ? (uint32_t)first->light << 16 : 0;
-        t->small.glight = t->small.light_dy = 0;
+        t->as.small.rows.light = s->shading == PH_SHADE_FLAT ? (uint32_t)first->light << 16 : 0;
+        t->as.small.rows.glight = t->as.small.rows.light_dy = 0;
     }
 }
 
@@ -365,7 +370,7 @@ static PH_NOINLINE void set_samples_light(const struct ph_setting *s, const stru
         return;
     }
     set_light(s, &s->usual.base[ref->corner[0]], t);
-    if (!share_light(t) && has_long_rows(&t->small)) {
+    if (!share_light(t) && has_long_rows(&t->as.small.rows)) {
         t->kind = PH_KIND_SMALL_WIDE;
     }
 }
@@ -403,14 +408,14 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     }
     t->kind = PH_KIND_SMALL;
     t->material = s->draw.material;
-    t->small.ramp = s->usual.ramp;
+    t->as.small.rows.ramp = s->usual.ramp;
     if (!small_depths(s, v, d, &t->block)) {
         setup_other(s, v, uv, sides, false, t);
         return;
     }
     done = done == PH_SMALL_STEEP ? done : ph_setup_small(t, v, sides, d);
-    if (done == PH_SMALL_STEEP && small_is_empty(&t->small)) {
-        t->small.d = t->small.gd = t->small.d_dy = 0; /* no pixel asks for it */
+    if (done == PH_SMALL_STEEP && small_is_empty(&t->as.small.rows)) {
+        t->as.small.rows.d = t->as.small.rows.gd = t->as.small.rows.d_dy = 0; /* no pixel asks for it */
         return;
     }
     if ((done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE || !small) && /* narrow: depth as in other shadings */
@@ -421,7 +426,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     if (s->shading == PH_SHADE_TEXTURE) {
         if (!ph_setup_texels(t, r, v, uv)) {
             setup_other(s, v, uv, sides, small, t);
-        } else if (PH_TEXTURE_KNEE && t->block != PH_BLOCK_NONE && ph_small_texels_usual(t)) {
+        } else if (PH_TEXTURE_KNEE && t->block != PH_BLOCK_NONE && t->as.small.of.map.usual) {
             set_texture_knee(t, d);
         }
     } else {

@@ -34,44 +34,47 @@ static struct ph_texel_way way_of(const struct ph_texel_line *line)
 /* The row, below that from which u and v count, with which the rows of a triangle begin at row y. */
 static inline uint32_t below_of(const struct ph_triangle *t, int32_t y)
 {
-    return (uint32_t)(y - t->y_top - t->range_log2 + 1);
+    return (uint32_t)(y - t->y_top - t->as.small.of.map.y);
 }
 
 /* Sets u, v and the texture, which is a map of the material's; below: see below_of. */
 static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t, uint32_t below,
                              const struct ph_texture *texture)
 {
-    const struct ph_plane u = {t->small.light, t->small.glight, t->small.light_dy};
+    const struct ph_small_map *const map = &t->as.small.of.map;
     r->texels = texture->texels;
     r->u_mask = (1u << texture->log2_width) - 1;
     r->v_mask = ((1u << texture->log2_height) - 1) << texture->log2_width;
-    r->x = (uint32_t)t->y_mid;
-    set_small_line(&r->u, &u, &t->curves[0], below);
-    set_small_line(&r->v, &t->v, &t->curves[1], below);
+    r->x = (uint32_t)map->x;
+    set_small_line(&r->u, &map->u, &map->u_curve, below);
+    set_small_line(&r->v, &map->v, &map->v_curve, below);
 }
 
-/* Sets the rest for rows that may leave a clamped texture. */
-static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_triangle *t, uint32_t below,
+/* Sets the rest for rows that may leave a clamped texture; the run has light. */
+static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_triangle *t,
                                    const struct ph_texture *texture)
 {
     s->kind.triangle = t;
     s->kind.plain = true;
     s->kind.depth24 = false; /* small triangles are none of 24 bits */
-    ph_set_texel_kind(&s->kind, &s->rows, texture);
-    ph_set_texel_light(&s->rows, t, &t->small_shades, 0, below);
-    s->rows.light -= MARGIN * s->rows.glight;
+    ph_set_texel_kind(&s->kind, &s->rows, texture, &t->as.small.of.map.light);
+    s->rows.glight = s->run.glight;
+    s->rows.light_dy = s->run.light_dy;
+    s->rows.light = s->run.light - MARGIN * s->rows.glight;
     s->rows.stride_bytes = s->run.stride_bytes;
     s->rows.columns = MARGIN + 1 + MARGIN; /* up to 32 px to either side of the first corner */
 }
 
-/* The light of a run's rows. */
-static inline void begin_light(struct ph_texel_run *r, const struct ph_triangle *t, uint32_t below)
+/* The light of a run's rows, which begin at row y. */
+static inline void begin_light(struct ph_texel_run *r, const struct ph_triangle *t, int32_t y)
 {
-    const struct ph_plane *const shades = &t->small_shades;
-    const bool shaded = (t->colour & PH_TEXELS_SHADED) != 0;
-    r->light = shaded ? shades->base + below * shades->gy : (uint32_t)(t->colour % PH_TEXELS_SHADED) << 24;
-    r->light_dy = shaded ? shades->gy : 0;
-    r->glight = shaded ? shades->gx : 0;
+    const struct ph_small_triangle *const small = &t->as.small.rows;
+    const struct ph_texel_light *const light = &t->as.small.of.map.light;
+    const bool shaded = light->shaded;
+    r->glight = shaded ? small->glight : 0;
+    r->light_dy = shaded ? small->light_dy : 0;
+    r->light = shaded ? small->light + r->x * r->glight + (uint32_t)(y - t->y_top) * r->light_dy
+                      : (uint32_t)light->light << 24;
 }
 
 /* Moves u and v of a bilinear texel to its first corner. */
@@ -87,26 +90,26 @@ PH_NOINLINE void ph_small_texels_begin(struct ph_small_texels *s, const struct p
                                        uint32_t stride_bytes)
 {
     const struct ph_texture *texture = t->material->texture;
-    const uint32_t below = below_of(t, y);
+    const struct ph_small_map *const at = &t->as.small.of.map;
     struct ph_texture map;
-    if (t->colour >> 8 != 0) {
-        map = ph_texel_map(texture, t->colour >> 8);
+    if (at->level != 0) {
+        map = ph_texel_map(texture, at->level);
         texture = &map;
     }
-    begin_run(&s->run, t, below, texture);
+    begin_run(&s->run, t, below_of(t, y), texture);
     s->run.stride_bytes = stride_bytes;
-    s->usual = ph_small_texels_usual(t);
+    s->usual = at->usual;
     s->kind.clamp = texture->wrap == PH_WRAP_CLAMP;
     if (s->usual) {
         return;
     }
+    begin_light(&s->run, t, y);
     if (s->kind.clamp) {
-        begin_clamped(s, t, below, texture);
+        begin_clamped(s, t, texture);
         return;
     }
-    begin_light(&s->run, t, below);
-    s->run.kind = t->colour % PH_TEXELS_SMOOTH != 32 ? PH_TEXEL_ROW_LIT : 0;
-    if ((t->colour & PH_TEXELS_SMOOTH) != 0) {
+    s->run.kind = ph_is_lit(&at->light) ? PH_TEXEL_ROW_LIT : 0;
+    if (at->light.smooth) {
         begin_smooth(&s->run, texture);
     }
 }
@@ -189,13 +192,14 @@ static uint32_t draw_run_of(struct ph_small_texels *s)
 
 uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const struct ph_small_triangle *const s = &t->small;
+    const struct ph_small_triangle *const s = &t->as.small.rows;
     const int32_t y = t->y_top > band->y0 ? t->y_top : band->y0;
-    const uint32_t above = (uint32_t)(y - t->y_top), rows = (uint32_t)(band->y1 - y), x = (uint32_t)t->y_mid;
+    const uint32_t above = (uint32_t)(y - t->y_top), rows = (uint32_t)(band->y1 - y),
+                   x = (uint32_t)t->as.small.of.map.x;
     const uint32_t at = (uint32_t)(y - band->y0) * band->stride + x;
     struct ph_small_texels texels;
     struct ph_texel_run *const r = &texels.run;
-    const bool usual = ph_small_texels_usual(t);
+    const bool usual = t->as.small.of.map.usual;
     if (usual) {
         begin_run(r, t, below_of(t, y), t->material->texture);
         r->stride_bytes = 2 * (uint32_t)band->stride;

@@ -14,12 +14,6 @@ struct ph_small_texels {
     struct ph_tile_kind kind;
 };
 
-/* Whether ph_texture_small can draw a small triangle. */
-static inline bool ph_small_texels_usual(const struct ph_triangle *t)
-{
-    return t->colour == 32 && t->material->texture->wrap == PH_WRAP_REPEAT;
-}
-
 /* Begins at row y of a small textured triangle. */
 void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes);
 

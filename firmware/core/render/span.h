@@ -148,21 +148,22 @@ struct ph_piece {
  * octaves, *n is cut down to the pixels in the first one. */
 static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32_t d, uint32_t *n)
 {
+    const uint32_t gd = t->as.large.depth.as.plane.gx;
     if (t->block >= PH_BLOCK_LINEAR) {
-        return (struct ph_piece){d, t->depth.gx};
+        return (struct ph_piece){d, gd};
     }
     const bool wrapped = d >= PH_DEPTH_WRAPPED;
     const int block = ph_block_exponent(t->block), down = ph_block_down(t->block);
     const int lowest = ph_depth_lowest(block, down), octave = ph_depth_octave(wrapped ? 0 : d, lowest);
     const uint32_t bias = (uint32_t)t->material->depth_bias << 13;
-    const uint32_t last = d + t->depth.gx * (*n - 1);
+    const uint32_t last = d + gd * (*n - 1);
     if (wrapped || last >= PH_DEPTH_WRAPPED ||
         !ph_depth_in_octave(last, octave, lowest)) { /* only this takes a division */
-        *n = ph_octave_pixels(d, t->depth.gx, octave, lowest, *n);
+        *n = ph_octave_pixels(d, gd, octave, lowest, *n);
     }
     return (struct ph_piece){ph_depth_float16_value(wrapped ? 0 : d, octave - down) +
                                  ph_depth_float16_offset(octave, block, down) + bias,
-                             wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave - down)};
+                             wrapped ? 0 : ph_depth_float16_slope(gd, octave - down)};
 }
 
 /* An octave of a triangle's d, bottom .. bottom + size - 1. It is kept: the next row mostly lies in it, too. */

@@ -69,11 +69,12 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
     uint32_t u = ph_texel_at(&r->u, i), du = r->u.step + i * ddu + r->u.bend;
     uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend;
     const bool special = k->lit || k->smooth;
+    const struct ph_depth *const plane = &k->triangle->as.large.depth;
     uint16_t *pixel = r->pixels + i;
     void *depth = ph_depth_from(r->depth, i, depth24);
     for (; n > 0; n--) {
         const uint32_t d =
-            k->triangle->block == PH_BLOCK_LINEAR ? ph_depth_linear(&k->triangle->linear, piece.d) : piece.d;
+            k->triangle->block == PH_BLOCK_LINEAR ? ph_depth_linear(&plane->over_w.linear, piece.d) : piece.d;
         if (depth24 ? ph_nearer24(depth, d) : ph_nearer16(depth, d)) {
             *pixel = special ? sample_special(k, u, v, r->light + (uint32_t)(pixel - r->pixels) * r->glight)
                              : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);

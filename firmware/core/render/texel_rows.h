@@ -21,17 +21,24 @@ struct ph_tile_kind {
     int32_t from, end; /* columns of the picture, as the tile's columns count */
 };
 
+/* Whether light changes texels. */
+static inline bool ph_is_lit(const struct ph_texel_light *light)
+{
+    return light->shaded || light->light != 32;
+}
+
 /* Sets how texels of that map are drawn; k->triangle, k->clamp and k->plain are set already. k->u_down and k->v_down
  * are set for k->plain. */
-static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_texel_rows *r, const struct ph_texture *map)
+static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_texel_rows *r, const struct ph_texture *map,
+                                     const struct ph_texel_light *light)
 {
     const int width = map->log2_width, height = map->log2_height;
     k->texels = r->texels = map->texels;
     k->u_mask = r->u_mask = (1u << width) - 1;
     k->v_mask = (1u << height) - 1;
     k->log2_width = map->log2_width;
-    k->lit = k->triangle->colour % PH_TEXELS_SMOOTH != 32;
-    k->smooth = (k->triangle->colour & PH_TEXELS_SMOOTH) != 0;
+    k->lit = ph_is_lit(light);
+    k->smooth = light->smooth;
     if (k->plain) {
         k->u_down = 22;
         k->v_down = 16 + ph_texel_row_up(map);
@@ -39,16 +46,6 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_texel_row
     r->v_mask = k->v_mask << width;
     r->u_outside = k->clamp ? UINT32_MAX << width << 22 : 0;
     r->v_outside = k->clamp ? UINT32_MAX << height << (16 + ph_texel_row_up(map)) : 0;
-}
-
-/* Sets the light of rows: column 0 of the first lies so far right of and below the place from which `shades` counts. */
-static inline void ph_set_texel_light(struct ph_texel_rows *r, const struct ph_triangle *t,
-                                      const struct ph_plane *shades, uint32_t right, uint32_t below)
-{
-    const bool shaded = (t->colour & PH_TEXELS_SHADED) != 0;
-    r->light = shaded ? ph_plane_at(shades, right, below) : (t->colour % PH_TEXELS_SHADED) << 24;
-    r->glight = shaded ? shades->gx : 0;
-    r->light_dy = shaded ? shades->gy : 0;
 }
 
 /* Draws a row, of which all but light is set; light at its first pixel. */

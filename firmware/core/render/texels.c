@@ -159,16 +159,19 @@ static inline int32_t change(const fx_t *const uv[3], int corner, int axis)
     return (int32_t)((uint32_t)uv[corner][axis] - (uint32_t)uv[0][axis]);
 }
 
-/* The plane of light. */
+/* The plane of light, which counts from column 0 of the first row, as that of other small triangles. */
 static void set_shades(struct ph_triangle *t, const struct frame *f, const struct ph_vertex *const v[3])
 {
     const int32_t first = ph_texel_light_of(t->material, v[0]);
     struct ph_subpixel_gradient g;
     ph_set_gradient(&g, &f->slopes, ph_texel_light_of(t->material, v[1]) - first,
                     ph_texel_light_of(t->material, v[2]) - first, 16, 22);
-    t->small_shades.base = ((uint32_t)(first + PH_TEXEL_LIGHT_UP) << 16) + (uint32_t)(g.x * f->x + g.y * f->y);
-    t->small_shades.gx = (uint32_t)g.x * 256;
-    t->small_shades.gy = (uint32_t)g.y * 256;
+    struct ph_small_triangle *const small = &t->as.small.rows;
+    const struct ph_small_map *const map = &t->as.small.of.map;
+    small->glight = (uint32_t)g.x * 256;
+    small->light_dy = (uint32_t)g.y * 256;
+    small->light = ((uint32_t)(first + PH_TEXEL_LIGHT_UP) << 16) + (uint32_t)(g.x * f->x + g.y * f->y) -
+                   (uint32_t)map->x * small->glight - (uint32_t)map->y * small->light_dy;
 }
 
 /* u or v and its curve, 2^-down times. */
@@ -182,22 +185,22 @@ static void shrink(struct ph_plane *way, struct ph_curve *curve, int down)
     curve->yy = shifted((int32_t)curve->yy, -down);
 }
 
-/* Light and filter. u, t->v and t->curves are those of the first level. */
-static FX_APART void set_unusual(struct ph_triangle *t, const struct frame *f, const struct ph_vertex *const v[3],
-                                 struct ph_plane *u)
+/* Light and filter. u and v are those of the first level. */
+static FX_APART void set_unusual(struct ph_triangle *t, const struct frame *f, const struct ph_vertex *const v[3])
 {
+    struct ph_small_map *const map = &t->as.small.of.map;
     const struct ph_texture *const texture = t->material->texture;
     const int width = texture->log2_width, height = texture->log2_height, v_up = ph_texel_row_up(texture);
-    const struct ph_texel_slope right = {(int32_t)u->gx >> 6, (int32_t)t->v.gx >> v_up};
-    const struct ph_texel_slope down = {(int32_t)u->gy >> 6, (int32_t)t->v.gy >> v_up};
+    const struct ph_texel_slope right = {(int32_t)map->u.gx >> 6, (int32_t)map->v.gx >> v_up};
+    const struct ph_texel_slope down = {(int32_t)map->u.gy >> 6, (int32_t)map->v.gy >> v_up};
     const int level = (int)ph_texel_level(texture, &right, &down);
     if (level > 0) {
         const int narrower = ph_min(level, width), lower = ph_min(level, height);
-        t->colour = (uint16_t)(t->colour + (level << 8));
-        shrink(u, &t->curves[0], narrower);
-        shrink(&t->v, &t->curves[1], texture->filter == PH_FILTER_NEAREST ? narrower + lower : lower);
+        shrink(&map->u, &map->u_curve, narrower);
+        shrink(&map->v, &map->v_curve, texture->filter == PH_FILTER_NEAREST ? narrower + lower : lower);
     }
-    if ((t->colour & PH_TEXELS_SHADED) != 0) {
+    map->level = (uint8_t)level;
+    if (map->light.shaded) {
         set_shades(t, f, v);
     }
 }
@@ -218,27 +221,28 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const s
         return false;
     }
     struct ph_subpixel_gradient q;
-    f.slopes = t->slopes;
+    f.slopes = t->as.small.of.slopes;
     ph_set_gradient(&q, &f.slopes, f.warp.q[1], f.warp.q[2], 12, 22);
     f.q = shortened(&q);
     f.x = 128 - (v[0]->x & 255);
     f.y = 128 - (v[0]->y & 255);
-    struct ph_plane u = {.base = (uint32_t)uv[0][0] << (width + 6)};
+    struct ph_small_map *const map = &t->as.small.of.map;
+    map->u.base = (uint32_t)uv[0][0] << (width + 6);
     if (texture->wrap == PH_WRAP_REPEAT) {
-        u.base &= UINT32_MAX >> (10 - width);
+        map->u.base &= UINT32_MAX >> (10 - width);
     }
-    set_way(&u, &t->curves[0], &f, du1, du2, width + 6);
-    t->v.base = (uint32_t)uv[0][1] << v_unit;
-    set_way(&t->v, &t->curves[1], &f, dv1, dv2, v_unit);
-    t->colour = ph_texture_light(t->material, v[0]);
-    if (t->colour > 32) {
-        set_unusual(t, &f, v, &u);
+    set_way(&map->u, &map->u_curve, &f, du1, du2, width + 6);
+    map->v.base = (uint32_t)uv[0][1] << v_unit;
+    set_way(&map->v, &map->v_curve, &f, dv1, dv2, v_unit);
+    map->x = (int16_t)(v[0]->x >> 8);
+    map->y = (int8_t)((v[0]->y >> 8) - t->y_top);
+    map->level = 0;
+    map->light = ph_texture_light(t->material, v[0]);
+    const bool nearest = !map->light.shaded && !map->light.smooth;
+    map->usual = nearest && map->light.light == 32 && texture->wrap == PH_WRAP_REPEAT;
+    if (!nearest) {
+        set_unusual(t, &f, v);
     }
-    t->small.light = u.base;
-    t->small.glight = u.gx;
-    t->small.light_dy = u.gy;
-    t->y_mid = (int16_t)(v[0]->x >> 8);
-    t->range_log2 = (uint8_t)((v[0]->y >> 8) - t->y_top + 1);
     t->kind = PH_KIND_SMALL_TEXTURE;
     return true;
 }

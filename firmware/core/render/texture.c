@@ -41,7 +41,8 @@ static bool is_inside(const struct ph_triangle *t, const struct ph_texture *map,
 {
     const int least = ph_min(map->log2_width, map->log2_height);
     const uint32_t half = map->filter != PH_FILTER_NEAREST ? ((uint32_t)1 << 24) >> least : 0, one = (uint32_t)1 << 25;
-    const uint32_t margin = (1 << 15) + (half >> t->range_log2), span = (one >> t->range_log2) - 2 * margin;
+    const unsigned range = t->as.large.of.map.range_log2;
+    const uint32_t margin = (1 << 15) + (half >> range), span = (one >> range) - 2 * margin;
     return span < one && are_inside(&s->u, margin, span) && are_inside(&s->v, margin, span);
 }
 
@@ -56,7 +57,8 @@ static int32_t slope_of(int32_t from, int32_t to, int range, int size_log2)
 static unsigned level_of(const struct ph_triangle *t, const struct ph_tile *tile, const struct ph_surface *s)
 {
     const struct ph_texture *const texture = t->material->texture;
-    const int u = t->range_log2 + texture->log2_width, v = t->range_log2 + texture->log2_height;
+    const int range = t->as.large.of.map.range_log2;
+    const int u = range + texture->log2_width, v = range + texture->log2_height;
     const int width = tile->width_log2, height = tile->height_log2;
     const struct ph_texel_slope right = {slope_of(s->u.left[0], s->u.right[0], u, width),
                                          slope_of(s->v.left[0], s->v.right[0], v, width)};
@@ -74,14 +76,14 @@ static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile
                               const struct ph_texture *map, struct ph_texel_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;
-    const int width = map->log2_width, height = map->log2_height, range = t->range_log2;
+    const int width = map->log2_width, height = map->log2_height, range = t->as.large.of.map.range_log2;
     k->from = -(int32_t)tile->x;
     k->clamp = map->wrap == PH_WRAP_CLAMP && !is_inside(t, map, s);
     k->plain = !k->depth24 && t->block != PH_BLOCK_LINEAR && width + height <= 16 &&
                (!k->clamp || ph_fits_clamped(map, range));
     k->u_down = 29 - range - width;
     k->v_down = 29 - range - height;
-    ph_set_texel_kind(k, r, map);
+    ph_set_texel_kind(k, r, map, &t->as.large.of.map.light);
     ph_surface_way(&r->u, &s->u, s, tile, k->u_down + range + width - 25);
     ph_surface_way(&r->v, &s->v, s, tile, k->v_down + range + height - 25);
 }
@@ -98,6 +100,7 @@ static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, 
                       struct ph_texel_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;
+    const struct ph_plane *const plane = &t->as.large.depth.as.plane;
     struct ph_half_rows in;
     struct ph_tile_depth depth;
     if (!ph_rows_of_half(t, rows, half, &in)) {
@@ -111,11 +114,20 @@ static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, 
     r->rows = (uint32_t)(in.y_end - in.y);
     if (k->plain && t->block == PH_BLOCK_NONE) {
         ph_draw_plain_rows(k, r);
-    } else if (k->plain && ((t->depth.base | t->depth.gx | t->depth.gy) & 7) == 0 && ph_tile_octaves(t, tile, &depth)) {
+    } else if (k->plain && ((plane->base | plane->gx | plane->gy) & 7) == 0 && ph_tile_octaves(t, tile, &depth)) {
         ph_draw_rows_in_octaves(k, r, &depth, row);
     } else {
         ph_draw_rows_in_pieces(k, r);
     }
+}
+
+/* Sets the light of rows, at column x and row y. */
+static inline void set_light(struct ph_texel_rows *r, const struct ph_map *map, uint32_t x, uint32_t y)
+{
+    const bool shaded = map->light.shaded;
+    r->light = shaded ? ph_plane_at(&map->shades, x, y) : (uint32_t)map->light.light << 24;
+    r->glight = shaded ? map->shades.gx : 0;
+    r->light_dy = shaded ? map->shades.gy : 0;
 }
 
 /* Draws the rows of a tile that are in the band. */
@@ -127,6 +139,7 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     const struct ph_band rows = {.y0 = ph_max(top, band->y0), .y1 = ph_min(y1, band->y1)};
     const uint32_t stride = band->stride, left = (uint32_t)band->width - tile->x, columns = 1u << tile->width_log2;
     const uint32_t at = (uint32_t)(rows.y0 - band->y0) * stride + tile->x;
+    const struct ph_plane *const depth = &t->as.large.depth.as.plane;
     struct ph_tile_kind k;
     struct ph_texel_rows r;
     r.depth = ph_depth_from(band->depth, at, band->depth24);
@@ -138,25 +151,25 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     k.end = (int32_t)left;
     r.columns = left < columns ? left : columns;
     r.count = 0;
-    r.d = ph_plane_at(&t->depth, tile->x, (uint32_t)rows.y0);
-    r.gd = t->depth.gx;
-    r.d_dy = t->depth.gy;
+    r.d = ph_plane_at(depth, tile->x, (uint32_t)rows.y0);
+    r.gd = depth->gx;
+    r.d_dy = depth->gy;
     if (t->material->texture->filter == PH_FILTER_MIPMAP) {
         set_mapped_texels(&k, tile, s, &r);
     } else {
         set_texels(&k, tile, s, t->material->texture, &r);
     }
     if (k.lit) {
-        ph_set_texel_light(&r, t, &t->shades, tile->x, (uint32_t)rows.y0);
+        set_light(&r, &t->as.large.of.map, tile->x, (uint32_t)rows.y0);
     }
     for (int32_t skipped = y; skipped < rows.y0; skipped++) {
         ph_texel_way_down(&r.u);
         ph_texel_way_down(&r.v);
     }
-    if (rows.y0 < t->y_mid) {
+    if (rows.y0 < t->as.large.y_mid) {
         draw_half(&k, &rows, 0, tile, &r);
     }
-    if (rows.y1 > t->y_mid) {
+    if (rows.y1 > t->as.large.y_mid) {
         draw_half(&k, &rows, 1, tile, &r);
     }
     return r.count;
@@ -173,6 +186,7 @@ static bool is_gentle(uint32_t gu, uint32_t gv, uint32_t gw, uint32_t least_w, i
 static int tile_width(const struct ph_triangle *t, const struct ph_tile *tile, uint32_t columns)
 {
     const struct ph_plane *const w = ph_over_w(t);
+    const struct ph_map *const map = &t->as.large.of.map;
     uint32_t least = ph_plane_at(w, tile->x, tile->y);
     const uint32_t below = w->gy << tile->height_log2;
     least += (int32_t)below < 0 ? below : 0;
@@ -182,7 +196,7 @@ static int tile_width(const struct ph_triangle *t, const struct ph_tile *tile, u
     }
     for (; log2 > 0; log2--) {
         const uint32_t right = w->gx << log2, corner = (int32_t)right < 0 ? least + right : least;
-        if (is_gentle(t->attribute[0].gx, t->attribute[1].gx, w->gx, corner, log2)) {
+        if (is_gentle(map->u.gx, map->v.gx, w->gx, corner, log2)) {
             break;
         }
     }
@@ -223,6 +237,7 @@ static void measure_strip(const struct ph_triangle *t, int32_t width, struct str
 /* The highest strip from row y of the triangle on that is gentle. */
 static void choose_strip(const struct ph_triangle *t, int32_t width, uint32_t y, struct strip *strip)
 {
+    const struct ph_map *const map = &t->as.large.of.map;
     strip->height_log2 = HEIGHT_LOG2;
     while (strip->height_log2 > 0 && (y ^ ((uint32_t)t->y_bottom - 1)) >> (strip->height_log2 - 1) == 0) {
         strip->height_log2--;
@@ -233,7 +248,7 @@ static void choose_strip(const struct ph_triangle *t, int32_t width, uint32_t y,
         strip->y_end = strip->y + height;
         measure_strip(t, width, strip);
         if (strip->height_log2 == 0 || strip->x >= strip->x_end ||
-            is_gentle(t->attribute[0].gy, t->attribute[1].gy, ph_over_w(t)->gy, strip->least_w, strip->height_log2)) {
+            is_gentle(map->u.gy, map->v.gy, ph_over_w(t)->gy, strip->least_w, strip->height_log2)) {
             return;
         }
     }

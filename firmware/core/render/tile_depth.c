@@ -10,24 +10,25 @@
 /* Most tiles lie in one octave: this is apart, and runs from flash. */
 static PH_NOINLINE void nearest_octave(struct ph_octave *o, const struct ph_triangle *t, uint32_t most)
 {
-    ph_octave_of(o, t, most, t->depth.gx);
+    ph_octave_of(o, t, most, t->as.large.depth.as.plane.gx);
 }
 
 bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_tile_depth *depth)
 {
-    const uint32_t gx = ph_without_sign((int32_t)t->depth.gx), gy = ph_without_sign((int32_t)t->depth.gy);
+    const struct ph_plane *const plane = &t->as.large.depth.as.plane;
+    const uint32_t gx = ph_without_sign((int32_t)plane->gx), gy = ph_without_sign((int32_t)plane->gy);
     if (gx >> (30 - tile->width_log2) != 0 || gy >> (30 - tile->height_log2) != 0) { /* differences below 2^31 */
         return false;
     }
-    const uint32_t right = ((1u << tile->width_log2) - 1) * t->depth.gx;
-    const uint32_t below = ((1u << tile->height_log2) - 1) * t->depth.gy;
-    const uint32_t d = ph_plane_at(&t->depth, tile->x, tile->y);
+    const uint32_t right = ((1u << tile->width_log2) - 1) * plane->gx;
+    const uint32_t below = ((1u << tile->height_log2) - 1) * plane->gy;
+    const uint32_t d = ph_plane_at(plane, tile->x, tile->y);
     const uint32_t least = d + ((int32_t)right < 0 ? right : 0) + ((int32_t)below < 0 ? below : 0);
     const uint32_t most = d + ((int32_t)right < 0 ? 0 : right) + ((int32_t)below < 0 ? 0 : below);
     struct ph_octave *const least_in = &depth->octaves[0], *const most_in = &depth->octaves[1];
     depth->d = d;
-    depth->d_dy = t->depth.gy;
-    ph_octave_of(least_in, t, least, t->depth.gx);
+    depth->d_dy = plane->gy;
+    ph_octave_of(least_in, t, least, plane->gx);
     if (ph_octave_holds(least_in, least, most)) {
         most_in->up = least_in->up;
         return least <= most;

@@ -34,14 +34,15 @@ static inline int32_t part_of(const struct over_w *end, uint32_t change)
 static void divide_side(const struct ph_triangle *t, const struct ph_tile *tile, uint32_t x, struct ph_surface *s,
                         struct over_w ends[2])
 {
-    const struct ph_plane *const over_w = ph_over_w(t), *const attribute = t->attribute;
+    const struct ph_plane *const over_w = ph_over_w(t), *const u_w = &t->as.large.of.map.u,
+                                 *const v_w = &t->as.large.of.map.v;
     uint32_t w = ph_plane_at(over_w, x, tile->y);
-    uint32_t u = ph_plane_at(&attribute[0], x, tile->y), v = ph_plane_at(&attribute[1], x, tile->y);
+    uint32_t u = ph_plane_at(u_w, x, tile->y), v = ph_plane_at(v_w, x, tile->y);
     const uint32_t change = over_w->gy << tile->height_log2;
     ends[0] = divide(w, u, v, &s->u.right[0], &s->v.right[0]);
     w += change;
-    u += attribute[0].gy << tile->height_log2;
-    v += attribute[1].gy << tile->height_log2;
+    u += u_w->gy << tile->height_log2;
+    v += v_w->gy << tile->height_log2;
     ends[1] = divide(w, u, v, &s->u.right[1], &s->v.right[1]);
     s->right = part_of(&ends[1], change);
 }

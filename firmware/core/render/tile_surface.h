@@ -27,7 +27,7 @@ struct ph_tile {
 /* The plane of 1/w; linear-w has it as its depth. */
 static inline const struct ph_plane *ph_over_w(const struct ph_triangle *t)
 {
-    return t->block == PH_BLOCK_LINEAR ? &t->depth : &t->attribute[2];
+    return t->block == PH_BLOCK_LINEAR ? &t->as.large.depth.as.plane : &t->as.large.depth.over_w.plane;
 }
 
 /* Divides at the left side of the first tile of a strip. */

@@ -67,14 +67,25 @@ static inline void ph_small_lower(struct ph_small_triangle *small)
     small->lower_rows = 0;
 }
 
-/* The exact depth of a triangle, in an entry of its own: see exact.h. Pairs of words are 64 bits, the lower first. */
+/* A depth plane of 64 bits: see exact.h. Pairs of words are 64 bits, the lower first. */
 struct ph_exact {
     uint32_t base[2], gx[2], gy[2]; /* as in struct ph_plane */
     uint32_t low[2], size[2];       /* range of the corners */
-    uint32_t offset;                /* added to the codes */
     uint8_t kind;
     uint8_t unit; /* codes are as steep as a depth in 2^-(56 - unit) is in octave 0 */
     int8_t down;  /* linear-w: that of the lens; floats: bits of exponent less 1 */
+};
+
+/* Depth over a triangle that is not small, or over a line in any format. */
+struct ph_depth {
+    union {
+        struct ph_plane plane;
+        struct ph_exact exact; /* PH_BLOCK_EXACT */
+    } as;
+    union {
+        struct ph_linear linear; /* linear-w: how 1/w, which is the plane, becomes codes */
+        struct ph_plane plane;   /* other formats, textured: 1/w */
+    } over_w;
 };
 
 /* A row of pixels or of depths, so many bytes further down. */
@@ -114,61 +125,79 @@ enum ph_kind {
     PH_KIND_ANY_LINE
 };
 
-struct ph_triangle {
-    uint32_t order;                 /* number of its reference */
-    int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid; PH_KIND_SMALL_TEXTURE:
-                                       y_mid is the column from which u and v count */
-    uint8_t kind;                   /* enum ph_kind */
-    uint8_t block;     /* FLOAT16 and FLOAT24, depth that crosses octaves: see ph_block_of; or one of PH_BLOCK_... */
-    uint8_t long_left; /* the long edge is the left one */
-    uint8_t
-        range_log2;  /* texture: |u|, |v| are below 2^this; PH_KIND_SMALL_TEXTURE: they count from row y_top + this */
-    uint16_t colour; /* flat: wire order; texture: light 0 .. 32, flags PH_TEXELS_.., 2^8 times the level of its map */
-    union {
-        const struct ph_material *material;
-        struct ph_triangle *before; /* until it is set up: the one before it in its list */
-    };
-    union {
-        const struct ph_draw *draw; /* until it is set up: that of its reference */
-        struct {
-            union {
-                struct {
-                    struct ph_edge long_edge, upper, lower;
-                };
-                struct ph_line line; /* PH_KIND_LINE: its depth counts from the next pixel, gx is that of a pixel;
-                                        PH_KIND_ANY_LINE: depth is a plane, in any format */
-            };
-            struct ph_plane depth;
-            union {
-                struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w; colours: red, green, blue */
-                struct {
-                    struct ph_plane first_two[2];
-                    struct ph_linear linear; /* PH_BLOCK_LINEAR: in place of 1/w, which `depth` holds then */
-                };
-            };
-            union {
-                struct ph_exact exact;  /* PH_BLOCK_EXACT */
-                struct ph_plane shades; /* PH_TEXELS_SHADED: light of the texels, see ph_texel_light_of; with
-                                           PH_BLOCK_EXACT it stands in `depth` */
-            };
-        };
-        struct {
-            struct ph_small_triangle small; /* PH_KIND_SMALL..; textured: the plane of light is the linear part of u */
-            union {
-                struct {
-                    struct ph_plane v;            /* PH_KIND_SMALL_TEXTURE: the linear part of v */
-                    struct ph_curve curves[2];    /* of u, v */
-                    struct ph_plane small_shades; /* as shades; u, v and this count from the same pixel */
-                };
-                struct ph_slopes slopes; /* from ph_setup_small to ph_setup_texels */
-            };
-        };
-    };
-    struct ph_triangle *next; /* slot: carried on or unused */
+/* What the texels of a triangle are drawn with. */
+struct ph_texel_light {
+    uint8_t light;       /* 32nds, 0 .. 32, unless it is shaded */
+    bool shaded, smooth; /* light changes from pixel to pixel; bilinear */
 };
 
-#define PH_TEXELS_SHADED 64  /* light changes from pixel to pixel */
-#define PH_TEXELS_SMOOTH 128 /* bilinear */
+/* u and v over a small triangle; these and the curves count from pixel (x, y_top + y), that of the first corner. */
+struct ph_small_map {
+    int16_t x;
+    int8_t y;
+    bool usual; /* ph_texture_small can draw it */
+    struct ph_texel_light light;
+    uint8_t level;        /* of the map */
+    struct ph_plane u, v; /* the linear part */
+    struct ph_curve u_curve, v_curve;
+};
+
+/* u and v over a triangle that is drawn in tiles: u/w and v/w; 1/w is in its struct ph_depth. */
+struct ph_map {
+    struct ph_texel_light light;
+    uint8_t range_log2; /* |u|, |v| are below 2^this */
+    struct ph_plane u, v;
+    struct ph_plane shades; /* if it is shaded: see ph_texel_light_of */
+};
+
+/* A triangle that is not small. */
+struct ph_large {
+    uint8_t long_left; /* the long edge is the left one */
+    int16_t y_mid;     /* where the short edges meet */
+    struct ph_edge long_edge, upper, lower;
+    union {
+        uint16_t colour;            /* PH_KIND_FLAT: wire order */
+        struct ph_plane light;      /* PH_KIND_GOURAUD */
+        struct ph_plane colours[3]; /* PH_KIND_COLOURS: red, green, blue */
+        struct ph_map map;          /* PH_KIND_TEXTURE */
+    } of;
+    struct ph_depth depth;
+};
+
+/* A triangle or a line in a slot. Its kind says which arm of `as` it has: PH_KIND_SMALL.. small, PH_KIND_LINE and
+ * PH_KIND_ANY_LINE line, others large. */
+struct ph_triangle {
+    uint32_t order;          /* number of its reference */
+    int16_t y_top, y_bottom; /* rows y_top .. y_bottom - 1 */
+    struct ph_triangle *next;
+    const struct ph_material *material;
+    uint8_t kind;  /* enum ph_kind */
+    uint8_t block; /* FLOAT16 and FLOAT24, depth that crosses octaves: see ph_block_of; or one of PH_BLOCK_... */
+    union {
+        struct {
+            const struct ph_draw *draw;
+            struct ph_triangle *before;
+        } listed; /* until it is set up: the draw of its reference, and the triangle before it in its list */
+        struct {
+            struct ph_small_triangle rows; /* textured: light is that of the texels, and there is no ramp */
+            union {
+                struct ph_slopes slopes; /* textured, from ph_setup_small to ph_setup_texels */
+                struct ph_small_map map; /* PH_KIND_SMALL_TEXTURE.. */
+            } of;
+        } small;
+        struct ph_large large;
+        struct {
+            struct ph_line way;
+            uint16_t colour; /* wire order */
+            union {
+                struct {
+                    uint32_t d, gd;  /* of the next pixel, and its change a pixel */
+                } codes;             /* PH_KIND_LINE: 16.16 codes */
+                struct ph_depth any; /* PH_KIND_ANY_LINE */
+            } depth;
+        } line;
+    } as;
+};
 
 #define PH_NONE          UINT32_MAX
 #define PH_SMALL_COLUMNS 32

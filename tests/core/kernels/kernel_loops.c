@@ -220,11 +220,11 @@ static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_verte
 
 static uint32_t hash_small(uint32_t h, const struct ph_triangle *t)
 {
-    const struct ph_small_triangle *const s = &t->small;
+    const struct ph_small_triangle *const s = &t->as.small.rows;
     const uint32_t rows[] = {s->left_dx, s->right_dx, s->left, s->right, s->d, s->gd, s->d_dy};
     const uint32_t light[] = {s->light, s->glight, s->light_dy};
     h = hash(h, rows, sizeof rows);
-    h = s->ramp != NULL ? hash(h, light, sizeof light) : hash(h, &t->slopes, sizeof t->slopes);
+    h = s->ramp != NULL ? hash(h, light, sizeof light) : hash(h, &t->as.small.of.slopes, sizeof t->as.small.of.slopes);
     h = s->lower_rows > 0 ? word(word(h, (uint32_t)s->lower.x), (uint32_t)s->lower.dx) : h;
     h = word(word(word(h, s->upper_rows), s->lower_rows), s->lower_is_right);
     return word(word(h, (uint32_t)t->y_top), (uint32_t)t->y_bottom);
@@ -269,7 +269,7 @@ static uint32_t try_setup_usual(uint32_t h)
         return word(h, 0);
     }
     h = word(h, t.kind == PH_KIND_SMALL && t.block == PH_BLOCK_NONE && t.material == &material &&
-                    t.small.ramp == usual.ramp);
+                    t.as.small.rows.ramp == usual.ramp);
     return hash_small(h, &t);
 }
 
@@ -295,7 +295,7 @@ static uint32_t try_setup_small(uint32_t h)
     const struct ph_vertex *const v[3] = {&corner[0], &corner[turned ? 2 : 1], &corner[turned ? 1 : 2]};
     struct ph_triangle t;
     memset(&t, 0, sizeof t);
-    t.small.ramp = below(4) > 0 ? ramp : NULL;
+    t.as.small.rows.ramp = below(4) > 0 ? ramp : NULL;
     if (sides.area == 0 || !ph_setup_small(&t, v, &sides, d)) {
         return word(h, 0);
     }

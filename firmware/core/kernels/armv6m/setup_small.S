@@ -7,9 +7,9 @@
     .equ corners, 4 @ on the stack
     .equ sides, 8
     .equ depths, 12
-    .equ own_corners, triangle_v @ in the triangle: ph_setup_usual keeps what ph_setup_small takes
-    .equ own_sides, triangle_v + 12
-    .equ own_depths, triangle_v + 32
+    .equ own_corners, triangle_slopes @ in the triangle: ph_setup_usual keeps what ph_setup_small takes
+    .equ own_sides, triangle_slopes + 12
+    .equ own_depths, triangle_slopes + 32
 
     @ Puts fx_rcp16(d) into \to; changes r7.
     .macro rcp16 to, d

@@ -5,9 +5,9 @@
 
     .equ corners, 4 @ on the stack
     .equ depths, 12
-    .equ own_corners, triangle_v @ in the triangle: ph_setup_usual keeps what ph_setup_small takes
-    .equ own_sides, triangle_v + 12
-    .equ own_depths, triangle_v + 32
+    .equ own_corners, triangle_slopes @ in the triangle: ph_setup_usual keeps what ph_setup_small takes
+    .equ own_sides, triangle_slopes + 12
+    .equ own_depths, triangle_slopes + 32
 
     @ The edge from a down to b, whose first row is given: r1 becomes x at that row, r10 the slope, and r2 how far
     @ it is down from a to that row. r12 is 2^31 - 1. Changes r3, lr.

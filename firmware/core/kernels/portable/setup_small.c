@@ -27,9 +27,9 @@ static inline void set_light(struct ph_triangle *t, const struct ph_slopes *slop
      */
     ph_set_gradient(&light, slopes, (v[1]->light - v[0]->light) >> 1, (v[2]->light - v[0]->light) >> 1, 17,
                     STEEP_LIGHT);
-    t->small.glight = (uint32_t)light.x * 256;
-    t->small.light_dy = (uint32_t)light.y * 256;
-    t->small.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
+    t->as.small.rows.glight = (uint32_t)light.x * 256;
+    t->as.small.rows.light_dy = (uint32_t)light.y * 256;
+    t->as.small.rows.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
 }
 
 /* False if depth is too steep or the triangle too thin: then it is not set. */
@@ -39,17 +39,17 @@ static inline bool set_planes(struct ph_triangle *t, const struct ph_vertex *con
     const struct ph_slopes slopes = ph_slopes_of(sides);
     const uint32_t x = (uint32_t)(128 - v[0]->x), y = (uint32_t)(t->y_top * 256 + 128 - v[0]->y);
     struct ph_subpixel_gradient depth;
-    if (t->small.ramp == NULL) {
-        t->slopes = slopes;
+    if (t->as.small.rows.ramp == NULL) {
+        t->as.small.of.slopes = slopes;
     } else {
         set_light(t, &slopes, v, x, y);
     }
     if (!set_depth_gradient(&depth, &slopes, d)) {
         return false;
     }
-    t->small.gd = (uint32_t)depth.x * 256;
-    t->small.d_dy = (uint32_t)depth.y * 256;
-    t->small.d = d[0] + (uint32_t)depth.x * x + (uint32_t)depth.y * y;
+    t->as.small.rows.gd = (uint32_t)depth.x * 256;
+    t->as.small.rows.d_dy = (uint32_t)depth.y * 256;
+    t->as.small.rows.d = d[0] + (uint32_t)depth.x * x + (uint32_t)depth.y * y;
     return true;
 }
 
@@ -69,7 +69,7 @@ static inline __attribute__((always_inline)) enum ph_small_setup setup_small(str
     if (o.row_top >= o.row_low) {
         return PH_SMALL_NO_ROW;
     }
-    struct ph_small_triangle *const small = &t->small;
+    struct ph_small_triangle *const small = &t->as.small.rows;
     const bool flat_top = o.row_mid == o.row_top;
     struct ph_edge long_edge, first;
     set_edge(o.top, o.low, o.row_top, &long_edge);
@@ -147,6 +147,6 @@ enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph
     t->kind = PH_KIND_SMALL;
     t->block = PH_BLOCK_NONE;
     t->material = usual->material;
-    t->small.ramp = usual->ramp;
+    t->as.small.rows.ramp = usual->ramp;
     return setup_small(t, v, &sides, d);
 }

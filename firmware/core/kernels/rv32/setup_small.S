@@ -8,8 +8,8 @@
 #include "rv32.inc"
 #include "../offsets.inc"
 
-    .equ own_corners, triangle_v // in the triangle: for ph_float_depths
-    .equ own_depths, triangle_v + 12
+    .equ own_corners, triangle_slopes // in the triangle: for ph_float_depths
+    .equ own_depths, triangle_slopes + 12
 
 #define SAVED ra, s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11
 
