@@ -485,7 +485,7 @@ static void impossible_configurations_are_refused(void **state)
     (void)state;
     drawing_open(&d);
     const struct ph_config good = d.rig.r.config;
-    struct ph_config bad[15];
+    struct ph_config bad[16];
     for (int i = 0; i < COUNT(bad); i++) {
         bad[i] = good;
     }
@@ -505,11 +505,14 @@ static void impossible_configurations_are_refused(void **state)
     bad[12].depth_format = PH_DEPTH_FLOAT24;
     bad[13].depth = (uint8_t *)good.depth + 2;
     bad[13].samples = (uint16_t *)good.depth; /* its depth is drawn by words */
-    bad[14].bin_max = 0;
+    bad[14].shown = (uint16_t *)(void *)((uint8_t *)good.bins + 1);
+    bad[15].bin_max = 0;
     assert_int_equal(ph_renderer_init(&r, &good), PH_OK);
     for (int i = 0; i < COUNT(bad); i++) {
         assert_int_equal(ph_renderer_init(&r, &bad[i]), i < COUNT(bad) - 1 ? PH_ERR_INVAL : PH_ERR_NOMEM);
     }
+    assert_int_equal(ph_renderer_init(&r, NULL), PH_ERR_INVAL);
+    assert_int_equal(ph_renderer_init(NULL, &good), PH_ERR_INVAL);
     drawing_close(&d);
 }
 

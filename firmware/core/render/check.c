@@ -4,9 +4,9 @@
 #include "colour.h"
 #include "list.h"
 
-static bool has_stray_index(const uint16_t *index, uint32_t n, uint32_t vertex_count)
+static bool has_stray_index(const uint16_t *index, uint64_t n, uint32_t vertex_count)
 {
-    for (uint32_t i = 0; i < n; i++) {
+    for (uint64_t i = 0; i < n; i++) {
         if (index[i] >= vertex_count) {
             return true;
         }
@@ -38,8 +38,9 @@ bool ph_check_mesh(const struct ph_mesh *mesh)
     }
     return !PH_CHECKED ||
            (!has_stray_part(mesh) &&
-            !has_stray_index((const uint16_t *)mesh->triangles, 3 * mesh->triangle_count, mesh->vertex_count) &&
-            !has_stray_index((const uint16_t *)mesh->edges, 2 * mesh->edge_count, mesh->vertex_count));
+            !has_stray_index((const uint16_t *)mesh->triangles, 3 * (uint64_t)mesh->triangle_count,
+                             mesh->vertex_count) &&
+            !has_stray_index((const uint16_t *)mesh->edges, 2 * (uint64_t)mesh->edge_count, mesh->vertex_count));
 }
 
 bool ph_check_materials(const struct ph_renderer *r)

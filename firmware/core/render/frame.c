@@ -25,6 +25,9 @@ static uint32_t inner(uint32_t size)
 
 static int check_config(const struct ph_config *config)
 {
+    if (config == NULL) {
+        return PH_ERR_INVAL;
+    }
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
     const int fine = config->samples != NULL ? 1 : 0;
     if (width < 1 || width << fine > 1024 || height < 1 || height << fine > 1024 || lines < 1 || lines > height ||
@@ -35,7 +38,7 @@ static int check_config(const struct ph_config *config)
     if (config->vertices == NULL || config->triangles == NULL || config->bins == NULL ||
         config->triangle_max == PH_NONE ||
         ((uintptr_t)config->vertices | (uintptr_t)config->triangles) % sizeof(void *) != 0 ||
-        (uintptr_t)config->bins % sizeof(uint32_t) != 0 ||
+        (uintptr_t)config->bins % sizeof(uint32_t) != 0 || (uintptr_t)config->shown % sizeof(uint16_t) != 0 ||
         (config->other_core != NULL && config->other_core_join == NULL)) {
         return PH_ERR_INVAL;
     }
@@ -44,13 +47,17 @@ static int check_config(const struct ph_config *config)
 
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
 {
-    const int status = check_config(config), fine = config->samples != NULL ? 1 : 0;
-    const uint32_t width = config->width, height = config->height, lines = config->band_height;
+    const int status = check_config(config);
+    if (r == NULL) {
+        return PH_ERR_INVAL;
+    }
     if (status != PH_OK) {
         *r = (struct ph_renderer){.band_count = 0}; /* which every later call refuses */
         ph_list_close(r);
         return status;
     }
+    const int fine = config->samples != NULL ? 1 : 0;
+    const uint32_t width = config->width, height = config->height, lines = config->band_height;
     *r = (struct ph_renderer){.config = *config,
                               .inner_x = inner(width << fine),
                               .inner_y = inner(height << fine),
