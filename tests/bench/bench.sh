@@ -86,6 +86,8 @@ say "quality"
 
 awk -v dir="$dir" -v csv="$B/bench.csv" -f tests/bench/tables.awk tests/bench/bars.csv "$dir/quality" "$dir/rp2040" "$dir/sizes" "$dir/cliffs" "$dir/lines"
 awk -f firmware/tools/json.awk "$B/bench.csv" >"$B/bench.json"
+printf '\nThe bars that hold by the least, in %% of the bar (below 0: missed):\n'
+awk -F, 'NR > 1 && $5 + 0 > 0 { printf "%.2f %s %s %s: %s of %s\n", 100 * (1 - $4 / $5), $1, $2, $3, $4, $5 }' "$B/bench.csv" | sort -n | head -n 8
 case " $* " in *' m3 '*)
     say "growth"
     tests/bench/growth.sh m3 ;;
