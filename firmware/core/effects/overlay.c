@@ -2,6 +2,7 @@
 #include "overlay.h"
 
 #include "font.h"
+#include "tier.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -25,6 +26,7 @@ static const uint8_t *glyph_of(char letter)
 
 /* Draws pixels below each other where bits are set (one is), from bit 0 on: in `colour` where inner ones are, else in
  * `outline`. Apart, so that the loop keeps to registers. */
+PH_TIER(scenery)
 static __attribute__((noinline)) void draw_bits(uint16_t *to, int32_t width, uint32_t bits, uint32_t inner,
                                                 uint32_t colour, uint32_t outline)
 {
@@ -76,6 +78,7 @@ struct ink {
 };
 
 /* Draws a letter pixel by pixel, and its outline, by columns. */
+PH_TIER(scenery)
 static void draw_pixels(const struct ph_overlay_band *band, int32_t x, int32_t y, const uint8_t *glyph,
                         const struct ink *ink)
 {
@@ -99,6 +102,7 @@ static void draw_pixels(const struct ph_overlay_band *band, int32_t x, int32_t y
 
 /* Draws one letter: each pixel of the font is a square `scale` wide. The outline, and all of `more` 1, makes it one
  * pixel larger on all sides. With a scale of 1 both are drawn at a time: outlines only meet between letters. */
+PH_TIER(scenery)
 static void draw_letter(const struct ph_overlay_band *band, int32_t x, int32_t y, const uint8_t *glyph, int32_t scale,
                         int32_t more, const struct ink *ink)
 {
@@ -115,6 +119,7 @@ static bool reaches(const struct ph_overlay_band *band, int32_t y, int32_t scale
     return y - 1 < band->y0 + band->lines && y + 8 * scale + 1 > band->y0;
 }
 
+PH_TIER(scenery)
 void ph_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
                      const struct ph_overlay_style *style)
 {
@@ -151,7 +156,7 @@ struct letter {
     int32_t first, width; /* width 0: nothing is drawn */
 };
 
-static struct letter letter_of(char c)
+PH_TIER(scenery) static struct letter letter_of(char c)
 {
     if (c == ' ') {
         return (struct letter){box, 0, 0};

@@ -1,5 +1,6 @@
 /* fx: sums, products, quotients. See fx.h. */
 #include "fx.h"
+#include "tier.h"
 
 fx_t fx_add_sat(fx_t a, fx_t b)
 {
@@ -31,7 +32,7 @@ fx_t fx_abs_sat(fx_t a)
     return a < 0 ? fx_neg_sat(a) : a;
 }
 
-fx_t fx_mul_sat(fx_t a, fx_t b)
+PH_TIER(mesh) fx_t fx_mul_sat(fx_t a, fx_t b)
 {
     return fx_sat64((fx_mul_wide(a, b) + FX_HALF) >> 16);
 }
@@ -64,7 +65,7 @@ fx_t fx_div_sat(fx_t a, fx_t b)
     return fx_sat64(negative ? -(int64_t)q : (int64_t)q);
 }
 
-fx_t fx_rcp_sat(fx_t a)
+PH_TIER(mesh) fx_t fx_rcp_sat(fx_t a)
 {
     const uint32_t d = fx_magnitude(a);
     if (d <= 1) {

@@ -1,7 +1,9 @@
 /* fx_root: the table of the normalised reciprocal; square roots. See fx.h. */
 #include "fx.h"
+#include "tier.h"
 
 /* Entry i is 2^43 / d in the middle of the interval of all d that begin with a 1 and the eight bits of i. */
+PH_TIER(mesh)
 const uint16_t fx_rcp_table[256] = {
     4088, 4072, 4056, 4041, 4025, 4010, 3995, 3979, 3964, 3949, 3935, 3920, 3905, 3891, 3876, 3862, 3848, 3834, 3820,
     3806, 3792, 3779, 3765, 3752, 3738, 3725, 3712, 3699, 3686, 3673, 3660, 3647, 3635, 3622, 3610, 3597, 3585, 3573,
@@ -20,6 +22,7 @@ const uint16_t fx_rcp_table[256] = {
 };
 
 /* Entry i is 2^23 / sqrt(m) in the middle of the interval of all m with the upper byte 64 + i. */
+PH_TIER(mesh)
 static const uint8_t rsqrt_table[192] = {
     255, 253, 251, 249, 247, 246, 244, 242, 241, 239, 237, 236, 234, 233, 231, 230, 228, 227, 225, 224, 223, 221,
     220, 219, 218, 216, 215, 214, 213, 212, 211, 210, 208, 207, 206, 205, 204, 203, 202, 201, 200, 199, 198, 198,
@@ -33,7 +36,7 @@ static const uint8_t rsqrt_table[192] = {
 };
 
 /* By one Newton step from the table, in 32 bits. */
-uint32_t fx_rsqrt16(uint32_t m)
+PH_TIER(mesh) uint32_t fx_rsqrt16(uint32_t m)
 {
     const uint32_t y = rsqrt_table[(m >> 24) - 64];                            /* 2^23 / sqrt(m) */
     const int32_t miss = (int32_t)(((uint32_t)1 << 30) - (m >> 16) * (y * y)); /* 1 - m y^2 in 2^-30 */
@@ -41,7 +44,7 @@ uint32_t fx_rsqrt16(uint32_t m)
 }
 
 /* By two Newton steps y += y (1 - m y^2) / 2. */
-uint32_t fx_rsqrt_norm(uint32_t m)
+PH_TIER(mesh) uint32_t fx_rsqrt_norm(uint32_t m)
 {
     uint32_t y = (uint32_t)rsqrt_table[(m >> 24) - 64] << 22;
     for (int i = 0; i < 2; i++) {
@@ -68,7 +71,7 @@ fx_t fx_sqrt(fx_t a)
     return (fx_t)(r + (rest > (int64_t)r)); /* above (r + 1/2)^2 = r^2 + r + 1/4 */
 }
 
-fx_t fx_rsqrt_sat(fx_t a)
+PH_TIER(mesh) fx_t fx_rsqrt_sat(fx_t a)
 {
     if (a <= 0) {
         return FX_MAX;

@@ -1,6 +1,7 @@
 /* fx_tan: the tangent, and the cotangent of a lens. See fx.h and fx_math.h. */
 #include "fx_math.h"
 #include "fx_wide.h"
+#include "tier.h"
 
 #include <stdbool.h>
 
@@ -26,14 +27,14 @@ static inline __attribute__((always_inline)) uint32_t series_at(uint32_t z)
  * 2^17 k cot y in 2^-20, for the angle y of k 2^-16 turn, 0 < k < 8192. It is 2^33 / (2 pi) y cot y; the constant is
  * less by the mean of what z loses, 2^-32 / 6.
  */
-static uint64_t cotangent(uint32_t k)
+PH_TIER(seldom) static uint64_t cotangent(uint32_t k)
 {
     const uint32_t z = fx_mulhi_u32(k * k << 6, 2649351758); /* y^2 in 2^-32: (2 pi k)^2 */
     const uint64_t g = fx_mul_wide_u(z, series_at(z)) >> 31; /* 1 - y cot y in 2^-34 */
     return 1433540284750036u - (fx_mul_wide_u(2734261102, (uint32_t)g) >> 15);
 }
 
-fx_t fx_tan_sat(fx_t turns)
+PH_TIER(seldom) fx_t fx_tan_sat(fx_t turns)
 {
     const uint32_t half_turn = (uint32_t)turns & 0x7fff;
     const uint32_t k = half_turn <= 16384 ? half_turn : 32768 - half_turn; /* mirrored into the first quarter */
@@ -56,7 +57,7 @@ fx_t fx_tan_sat(fx_t turns)
 
 /* num / (d 2^(20 - shift)), rounded to nearest, up to 2^-23 further off. d = 2^31 .. 2^32 - 1, num below 2^63, the
  * result below 2^32; 9 <= shift <= 20. */
-static uint32_t quotient(uint64_t num, uint32_t d, int shift)
+PH_TIER(seldom) static uint32_t quotient(uint64_t num, uint32_t d, int shift)
 {
     const uint32_t r = fx_rcp_newton(d), high = fx_mulhi_u32((uint32_t)(num >> 31), r);
     const uint32_t q = shift < 20 ? high >> (19 - shift) : high << 1; /* up to 5 too small */
@@ -68,7 +69,7 @@ static uint32_t quotient(uint64_t num, uint32_t d, int shift)
  * With y = e 2^-16 pi / 360, the half of the field of view or of what it lacks to 180 degrees, and u = y cot y: the
  * result is u / y, or y / u. e is normalised so that y^2 keeps 30 bits, however small it is.
  */
-int32_t fx_cot_half_q20(fx_t deg)
+PH_TIER(seldom) int32_t fx_cot_half_q20(fx_t deg)
 {
     const uint32_t straight = (uint32_t)FX_INT(180), d = (uint32_t)deg;
     if (deg <= 0 || d >= straight) {

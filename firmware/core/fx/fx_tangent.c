@@ -1,9 +1,10 @@
 /* See fx_tangent.h. */
 #include "fx_tangent.h"
 #include "fx_wide.h"
+#include "tier.h"
 
 /* Lambert's continued fraction x / (1 - x^2 / (3 - x^2 / (5 - ...))), from the inside, as a ratio without division. */
-struct fx_ratio fx_tangent_ratio(uint64_t eighth)
+PH_TIER(seldom) struct fx_ratio fx_tangent_ratio(uint64_t eighth)
 {
     const uint64_t x = fx_mulhi_u64(eighth, 0xc90fdaa22168c234u); /* the factor is pi/4 in 2^-64; x is in 2^-63 */
     const uint64_t xx = fx_mulhi_u64(x, x) << 1;                  /* 2^-63 */

@@ -2,11 +2,12 @@
 #include "fx.h"
 #include "fx_text.h"
 #include "status.h"
+#include "tier.h"
 
 #include <stddef.h>
 #include <stdbool.h>
 
-int fx_text_whole(uint32_t whole, char *text)
+PH_TIER(seldom) int fx_text_whole(uint32_t whole, char *text)
 {
     int n = 0;
     uint32_t unit = 10000;
@@ -20,7 +21,7 @@ int fx_text_whole(uint32_t whole, char *text)
     return n;
 }
 
-int fx_to_text(fx_t a, char text[FX_TEXT_SIZE])
+PH_TIER(seldom) int fx_to_text(fx_t a, char text[FX_TEXT_SIZE])
 {
     const uint32_t v = fx_magnitude(a);
     int n = 0;
@@ -48,13 +49,13 @@ struct decimal {
     bool negative;
 };
 
-static bool is_digit(char c)
+PH_TIER(seldom) static bool is_digit(char c)
 {
     return c >= '0' && c <= '9';
 }
 
 /* Reads an exponent such as "e-12" at p. *end stays as it was if no digit follows the e. */
-static int64_t scan_exponent(const char *p, const char **end)
+PH_TIER(seldom) static int64_t scan_exponent(const char *p, const char **end)
 {
     if (*p != 'e' && *p != 'E') {
         return 0;
@@ -74,7 +75,7 @@ static int64_t scan_exponent(const char *p, const char **end)
 }
 
 /* Finds the parts of the number; *end is after it. Returns false if text is no number. */
-static bool scan(const char *text, struct decimal *d, const char **end)
+PH_TIER(seldom) static bool scan(const char *text, struct decimal *d, const char **end)
 {
     const char *p = text;
     const char *point = NULL;
@@ -103,7 +104,7 @@ static bool scan(const char *text, struct decimal *d, const char **end)
 #define PLACES 17 /* decimals of a value in the middle between two others */
 #define WHOLE  5  /* digits of 32768 */
 
-static uint64_t power_of_10(int64_t exponent)
+PH_TIER(seldom) static uint64_t power_of_10(int64_t exponent)
 {
     uint64_t power = 1;
     for (; exponent > 0; exponent--) {
@@ -113,7 +114,7 @@ static uint64_t power_of_10(int64_t exponent)
 }
 
 /* Adds the digits up: whole part, fraction in 10^-17, and whether any digit is beyond. Returns false if too large. */
-static bool weigh(const struct decimal *d, uint32_t *whole, uint64_t *fraction, bool *rest)
+PH_TIER(seldom) static bool weigh(const struct decimal *d, uint32_t *whole, uint64_t *fraction, bool *rest)
 {
     int64_t place = d->whole_digits - 1;
     *whole = 0;
@@ -139,7 +140,7 @@ static bool weigh(const struct decimal *d, uint32_t *whole, uint64_t *fraction, 
     return true;
 }
 
-int fx_from_text(const char *text, fx_t *out, const char **end)
+PH_TIER(seldom) int fx_from_text(const char *text, fx_t *out, const char **end)
 {
     struct decimal d;
     const char *behind = text;

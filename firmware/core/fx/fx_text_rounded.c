@@ -1,11 +1,12 @@
 /* fx_text_rounded: decimal text with a given number of places. See fx_math.h. */
 #include "fx_math.h"
 #include "fx_text.h"
+#include "tier.h"
 
 #include <stdbool.h>
 
 /* Adds one to the last of n decimal digits. Returns whether all were nines, which become zeros. */
-static bool carry(char *digits, int n)
+PH_TIER(seldom) static bool carry(char *digits, int n)
 {
     while (n > 0 && digits[n - 1] == '9') {
         digits[--n] = '0';
@@ -16,7 +17,7 @@ static bool carry(char *digits, int n)
     return n == 0;
 }
 
-int fx_to_text_rounded(fx_t a, int places, char text[FX_TEXT_SIZE])
+PH_TIER(seldom) int fx_to_text_rounded(fx_t a, int places, char text[FX_TEXT_SIZE])
 {
     enum { MOST = 16 }; /* from there on there is nothing to round */
     char digits[MOST];

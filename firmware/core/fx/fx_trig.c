@@ -1,5 +1,6 @@
 /* fx_trig: sine and cosine. See fx.h. */
 #include "fx.h"
+#include "tier.h"
 
 #include <stdbool.h>
 
@@ -24,7 +25,7 @@ struct sincos {
  * Sine and cosine, in 2^-36, of an angle f below a quarter turn (2^30). The nearest of 65 nodes is turned by the rest
  * d, |d| < 0.0123 rad, with sin d = d - d^3/6 and cos d = 1 - h, h = d^2/2 - d^4/24, both to 2^-38.
  */
-static struct sincos quarter(uint32_t f)
+PH_TIER(seldom) static struct sincos quarter(uint32_t f)
 {
     const uint32_t node = (f + ((uint32_t)1 << 23)) >> 24;
     const int32_t rest = (int32_t)(f - (node << 24));
@@ -43,7 +44,7 @@ static struct sincos quarter(uint32_t f)
 }
 
 /* Sine and cosine in 2^-(36 - drop), rounded in the first quarter turn and then turned: so the four quarters mirror. */
-static void rounded(uint32_t turn32, int drop, int32_t *sin_out, int32_t *cos_out)
+PH_TIER(seldom) static void rounded(uint32_t turn32, int drop, int32_t *sin_out, int32_t *cos_out)
 {
     const struct sincos v = quarter(turn32 & (((uint32_t)1 << 30) - 1));
     const int64_t half = ((int64_t)1 << (drop - 1)) + SINE_HALF;
@@ -55,19 +56,19 @@ static void rounded(uint32_t turn32, int drop, int32_t *sin_out, int32_t *cos_ou
     *cos_out = half_turn ? -turned_c : turned_c;
 }
 
-void fx_sincos_q30(uint32_t turn32, int32_t *sin_q30, int32_t *cos_q30)
+PH_TIER(seldom) void fx_sincos_q30(uint32_t turn32, int32_t *sin_q30, int32_t *cos_q30)
 {
     rounded(turn32, 6, sin_q30, cos_q30);
 }
 
-fx_t fx_sin(fx_t turns)
+PH_TIER(seldom) fx_t fx_sin(fx_t turns)
 {
     int32_t s, c;
     rounded((uint32_t)turns << 16, 20, &s, &c);
     return s;
 }
 
-fx_t fx_cos(fx_t turns)
+PH_TIER(seldom) fx_t fx_cos(fx_t turns)
 {
     int32_t s, c;
     rounded((uint32_t)turns << 16, 20, &s, &c);

@@ -1,12 +1,13 @@
 /* Further ways to state views, placements and projections: see camera.h. */
 #include "camera.h"
+#include "tier.h"
 
-static struct fx_vec3 opposite(struct fx_vec3 v)
+PH_TIER(seldom) static struct fx_vec3 opposite(struct fx_vec3 v)
 {
     return (struct fx_vec3){fx_neg_sat(v.x), fx_neg_sat(v.y), fx_neg_sat(v.z)};
 }
 
-int ph_camera_from(enum ph_convention convention, struct ph_xform *view, fx_t *near_z, fx_t *far_z)
+PH_TIER(seldom) int ph_camera_from(enum ph_convention convention, struct ph_xform *view, fx_t *near_z, fx_t *far_z)
 {
     if (convention == PH_LMU) {
         if (*near_z >= 0 || *far_z >= *near_z || *far_z == FX_MIN) { /* 32768 does not fit */
@@ -27,24 +28,25 @@ int ph_camera_from(enum ph_convention convention, struct ph_xform *view, fx_t *n
 }
 
 /* The view of a camera at `position`: t = -r position. */
-static struct ph_xform view_from(const struct ph_xform *rotation, struct fx_vec3 position)
+PH_TIER(seldom) static struct ph_xform view_from(const struct ph_xform *rotation, struct fx_vec3 position)
 {
     struct ph_xform view = *rotation;
     view.t = opposite(ph_xform_direction_q30(rotation, position));
     return view;
 }
 
-struct ph_xform ph_view_quat(struct fx_quat orientation, struct fx_vec3 position)
+PH_TIER(seldom) struct ph_xform ph_view_quat(struct fx_quat orientation, struct fx_vec3 position)
 {
     const struct ph_xform camera = ph_xform_quat(fx_quat_normalise(orientation), position);
     return ph_xform_inverse_rigid(&camera);
 }
 
-struct ph_xform ph_view_rotate_translate(struct fx_vec3 axis, uint32_t turn32, struct fx_vec3 position)
+PH_TIER(seldom) struct ph_xform ph_view_rotate_translate(struct fx_vec3 axis, uint32_t turn32, struct fx_vec3 position)
 {
     return ph_view_quat(fx_quat_axis(axis, turn32), position);
 }
 
+PH_TIER(seldom)
 struct ph_xform ph_view_yaw_pitch_roll(struct fx_vec3 position, uint32_t yaw, uint32_t pitch, uint32_t roll)
 {
     const struct fx_quat y = fx_quat_axis((struct fx_vec3){0, FX_ONE, 0}, yaw);
@@ -53,14 +55,14 @@ struct ph_xform ph_view_yaw_pitch_roll(struct fx_vec3 position, uint32_t yaw, ui
     return ph_view_quat(fx_quat_mul(fx_quat_mul(y, x), z), position);
 }
 
-struct ph_xform ph_view_phigs(struct fx_vec3 vrp, struct fx_vec3 vpn, struct fx_vec3 vup)
+PH_TIER(seldom) struct ph_xform ph_view_phigs(struct fx_vec3 vrp, struct fx_vec3 vpn, struct fx_vec3 vup)
 {
     const struct fx_vec3 origin = {0, 0, 0};
     const struct ph_xform at_origin = ph_view_look_at(origin, opposite(vpn), vup);
     return view_from(&at_origin, vrp);
 }
 
-struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target, struct fx_vec3 up)
+PH_TIER(seldom) struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target, struct fx_vec3 up)
 {
     /* An object's +z is a camera's -z: the camera that gives its axes stands at the target and looks back. */
     const struct ph_xform view = ph_view_look_at(target, position, up);
@@ -69,7 +71,7 @@ struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target
     return placed;
 }
 
-struct ph_xform ph_view_of_node(const struct ph_xform *world)
+PH_TIER(seldom) struct ph_xform ph_view_of_node(const struct ph_xform *world)
 {
     struct ph_xform rotation = ph_xform_identity;
     for (int j = 0; j < 3; j++) { /* the node's axes, scaled to length one, are the rows of the view */
@@ -84,6 +86,7 @@ struct ph_xform ph_view_of_node(const struct ph_xform *world)
     return view_from(&rotation, world->t);
 }
 
+PH_TIER(seldom)
 int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t height, fx_t near_z, fx_t far_z)
 {
     if (focal <= 0 || width <= 0 || height <= 0 || near_z <= 0 || far_z <= near_z) {
@@ -98,7 +101,7 @@ int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t 
     return PH_OK;
 }
 
-int ph_projection_resize(struct ph_projection *p, fx_t aspect)
+PH_TIER(seldom) int ph_projection_resize(struct ph_projection *p, fx_t aspect)
 {
     if (p->kind == PH_FISHEYE || aspect <= 0 || p->scale_y_q20 <= 0) {
         return PH_ERR_INVAL;
@@ -111,7 +114,7 @@ int ph_projection_resize(struct ph_projection *p, fx_t aspect)
     return PH_OK;
 }
 
-static fx_t size_at(int32_t scale_q20, int64_t twice_z)
+PH_TIER(seldom) static fx_t size_at(int32_t scale_q20, int64_t twice_z)
 {
     if (scale_q20 <= 0) { /* not a valid volume */
         return FX_MAX;
@@ -120,7 +123,7 @@ static fx_t size_at(int32_t scale_q20, int64_t twice_z)
     return size > FX_MAX ? FX_MAX : (fx_t)size;
 }
 
-void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, fx_t *height)
+PH_TIER(seldom) void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, fx_t *height)
 {
     const int64_t twice = p->kind == PH_PERSPECTIVE ? 2 * (int64_t)(z > 0 ? z : 0) : 2 * (int64_t)FX_ONE;
     *width = size_at(p->scale_x_q20, twice);
@@ -131,7 +134,7 @@ void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, f
  * Twice the angle of (2 distance, height). The 16 bits of fx_atan2 are too few, so the point is turned back by them.
  * The angle that is left is at most 2^-16 turn, so it is its tangent, across / along.
  */
-fx_t ph_fov_of(fx_t height, fx_t distance)
+PH_TIER(seldom) fx_t ph_fov_of(fx_t height, fx_t distance)
 {
     if (height <= 0) {
         return 0;
@@ -150,7 +153,7 @@ fx_t ph_fov_of(fx_t height, fx_t distance)
     return near * 2 * 360 + (fx_t)((across * two_radians + (across > 0 ? along : -along) / 2) / along);
 }
 
-fx_t ph_distance_of(fx_t height, fx_t fov_deg)
+PH_TIER(seldom) fx_t ph_distance_of(fx_t height, fx_t fov_deg)
 {
     struct ph_projection p;
     if (ph_projection_perspective(&p, fov_deg, FX_ONE, FX_ONE, FX_INT(2)) != PH_OK) {
@@ -159,12 +162,12 @@ fx_t ph_distance_of(fx_t height, fx_t fov_deg)
     return fx_sat64((fx_mul_wide(height, p.scale_y_q20) + (1 << 20)) >> 21);
 }
 
-static bool parent_is_before(const struct ph_node *nodes, uint32_t i)
+PH_TIER(seldom) static bool parent_is_before(const struct ph_node *nodes, uint32_t i)
 {
     return nodes[i].parent < (int32_t)i && nodes[i].parent >= -1;
 }
 
-int ph_nodes_world(const struct ph_node *nodes, uint32_t count, struct ph_xform *world)
+PH_TIER(seldom) int ph_nodes_world(const struct ph_node *nodes, uint32_t count, struct ph_xform *world)
 {
     for (uint32_t i = 0; i < count; i++) {
         if (!parent_is_before(nodes, i)) {
@@ -175,7 +178,7 @@ int ph_nodes_world(const struct ph_node *nodes, uint32_t count, struct ph_xform 
     return PH_OK;
 }
 
-int ph_nodes_seen(const struct ph_node *nodes, uint32_t count, uint32_t camera, struct ph_xform *seen)
+PH_TIER(seldom) int ph_nodes_seen(const struct ph_node *nodes, uint32_t count, uint32_t camera, struct ph_xform *seen)
 {
     for (uint32_t i = 0; i < count; i++) {
         if (!parent_is_before(nodes, i) || camera >= count) {

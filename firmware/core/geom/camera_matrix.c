@@ -2,16 +2,17 @@
 #include "camera.h"
 #include "fx_math.h"
 #include "geom_sum.h"
+#include "tier.h"
 
 /* A row times a vector, rounded once. */
-static fx_t row_times(const fx_t row[4], fx_t x, fx_t y, fx_t z, fx_t w)
+PH_TIER(seldom) static fx_t row_times(const fx_t row[4], fx_t x, fx_t y, fx_t z, fx_t w)
 {
     const int64_t products[] = {fx_mul_wide(row[0], x), fx_mul_wide(row[1], y), fx_mul_wide(row[2], z),
                                 fx_mul_wide(row[3], w)};
     return fx_sat64(geom_sum_rounded(products, 4, 16));
 }
 
-struct ph_mat4 ph_mat4_mul(const struct ph_mat4 *a, const struct ph_mat4 *b)
+PH_TIER(seldom) struct ph_mat4 ph_mat4_mul(const struct ph_mat4 *a, const struct ph_mat4 *b)
 {
     struct ph_mat4 m;
     for (int i = 0; i < 4; i++) {
@@ -22,13 +23,13 @@ struct ph_mat4 ph_mat4_mul(const struct ph_mat4 *a, const struct ph_mat4 *b)
     return m;
 }
 
-struct ph_vec4 ph_mat4_apply(const struct ph_mat4 *a, struct ph_vec4 v)
+PH_TIER(seldom) struct ph_vec4 ph_mat4_apply(const struct ph_mat4 *a, struct ph_vec4 v)
 {
     return (struct ph_vec4){row_times(a->m[0], v.x, v.y, v.z, v.w), row_times(a->m[1], v.x, v.y, v.z, v.w),
                             row_times(a->m[2], v.x, v.y, v.z, v.w), row_times(a->m[3], v.x, v.y, v.z, v.w)};
 }
 
-struct ph_mat4 ph_mat4_xform(const struct ph_xform *a)
+PH_TIER(seldom) struct ph_mat4 ph_mat4_xform(const struct ph_xform *a)
 {
     const fx_t t[3] = {a->t.x, a->t.y, a->t.z};
     struct ph_mat4 m = {{{0}}};
@@ -42,7 +43,7 @@ struct ph_mat4 ph_mat4_xform(const struct ph_xform *a)
     return m;
 }
 
-struct ph_mat4 ph_matrix_view(const struct ph_xform *view, enum ph_convention convention)
+PH_TIER(seldom) struct ph_mat4 ph_matrix_view(const struct ph_xform *view, enum ph_convention convention)
 {
     struct ph_mat4 m = ph_mat4_xform(view);
     for (int j = 0; j < 4 && convention == PH_D3D; j++) {
@@ -52,20 +53,21 @@ struct ph_mat4 ph_matrix_view(const struct ph_xform *view, enum ph_convention co
 }
 
 /* a / b in Q16.16, rounded to nearest; b > 0, |a| < 2^46. */
-static int64_t quotient(int64_t a, int64_t b)
+PH_TIER(seldom) static int64_t quotient(int64_t a, int64_t b)
 {
     const int64_t scaled = a * FX_ONE;
     return (scaled >= 0 ? scaled + b / 2 : scaled - b / 2) / b;
 }
 
 /* times f n / (f - n) in Q16.16, computed as n + n^2 / (f - n), which stays in range. */
-static int64_t product_quotient(int64_t n, int64_t f, int64_t times)
+PH_TIER(seldom) static int64_t product_quotient(int64_t n, int64_t f, int64_t times)
 {
     const int64_t square = times * n * n, range = f - n;
     return times * n + (square + range / 2) / range;
 }
 
 /* The third row of a projection matrix: its factors of z and of 1. */
+PH_TIER(seldom)
 static void depth_row(const struct ph_projection *p, enum ph_convention convention, int64_t *z, int64_t *one)
 {
     const int64_t n = p->near_z, f = p->far_z, range = f - n;
@@ -86,16 +88,17 @@ static void depth_row(const struct ph_projection *p, enum ph_convention conventi
                                        : -middle;
 }
 
-static fx_t from_q20(int32_t v)
+PH_TIER(seldom) static fx_t from_q20(int32_t v)
 {
     return (v >> 4) + ((v >> 3) & 1);
 }
 
-static bool fits(int64_t v)
+PH_TIER(seldom) static bool fits(int64_t v)
 {
     return v <= FX_MAX && v >= FX_MIN;
 }
 
+PH_TIER(seldom)
 int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enum ph_convention convention)
 {
     int64_t z, one;
@@ -129,14 +132,14 @@ int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enu
     return PH_OK;
 }
 
-struct ph_mat4 ph_matrix_viewport(uint16_t width, uint16_t height, enum ph_convention convention)
+PH_TIER(seldom) struct ph_mat4 ph_matrix_viewport(uint16_t width, uint16_t height, enum ph_convention convention)
 {
     const fx_t x = (fx_t)width * FX_HALF, y = (fx_t)height * FX_HALF;
     return (struct ph_mat4){
         {{x, 0, 0, x}, {0, convention == PH_LMU ? y : -y, 0, y}, {0, 0, FX_ONE, 0}, {0, 0, 0, FX_ONE}}};
 }
 
-struct ph_mat4 ph_matrix_plane(struct fx_vec3 normal, fx_t d)
+PH_TIER(seldom) struct ph_mat4 ph_matrix_plane(struct fx_vec3 normal, fx_t d)
 {
     return (struct ph_mat4){{{d, 0, 0, 0},
                              {0, d, 0, 0},

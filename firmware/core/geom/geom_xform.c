@@ -3,6 +3,7 @@
 #include "fx_math.h"
 #include "geom_sum.h"
 #include "status.h"
+#include "tier.h"
 
 const struct ph_xform ph_xform_identity = {{{FX_Q30_ONE, 0, 0}, {0, FX_Q30_ONE, 0}, {0, 0, FX_Q30_ONE}}, {0, 0, 0}};
 
@@ -14,7 +15,7 @@ static inline int64_t product(int32_t a, int32_t b)
 
 /* A row in Q2.30 times (x, y, z), plus c, rounded once: as geom_sum_rounded, but without a loop. The three products fit
  * 64 bits together if x, y and z are above -2^30 and not above 2^30: the signs of 2^30 - x and so on say so. */
-static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
+PH_TIER(mesh) static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
     if (!FX_MULTIPLIES && geom_row_is_near(row, x, y, z, c)) {
         return geom_near_row(row, x, y, z, c);
@@ -91,7 +92,7 @@ static bool only_scales(const struct ph_xform *m)
     return (m->r[0][1] | m->r[0][2] | m->r[1][0] | m->r[1][2] | m->r[2][0] | m->r[2][1]) == 0;
 }
 
-struct ph_xform ph_xform_mul(const struct ph_xform *a, const struct ph_xform *b)
+PH_TIER(figure) struct ph_xform ph_xform_mul(const struct ph_xform *a, const struct ph_xform *b)
 {
     const bool scales = only_scales(b);
     struct ph_xform m;
@@ -119,7 +120,7 @@ struct ph_xform ph_xform_inverse_rigid(const struct ph_xform *a)
     return m;
 }
 
-struct fx_vec3 ph_xform_point(const struct ph_xform *a, struct fx_vec3 p)
+PH_TIER(mesh) struct fx_vec3 ph_xform_point(const struct ph_xform *a, struct fx_vec3 p)
 {
     return (struct fx_vec3){row_times(a->r[0], p.x, p.y, p.z, a->t.x), row_times(a->r[1], p.x, p.y, p.z, a->t.y),
                             row_times(a->r[2], p.x, p.y, p.z, a->t.z)};

@@ -1,17 +1,18 @@
 /* Keys, poses and places: see motion.h. */
 #include "fx_math.h"
 #include "motion.h"
+#include "tier.h"
 
 #define NEARLY_ONE (FX_Q30_ONE - (FX_Q30_ONE >> 11)) /* cosine of 1.8 degrees: there nlerp is as good as slerp */
 
-static int32_t mul_q30(int32_t a, int32_t b)
+PH_TIER(seldom) static int32_t mul_q30(int32_t a, int32_t b)
 {
     return (int32_t)((fx_mul_wide(a, b) + (1 << 29)) >> 30);
 }
 
 /* 2 asin(sqrt z) in turn32, z <= 1/2 in Q2.30, as sqrt z times a polynomial in z. Error 2e-7 of it (interpolation at
  * the zeros of the Chebyshev polynomial of degree 7). */
-static uint32_t arc_of(int32_t z)
+PH_TIER(seldom) static uint32_t arc_of(int32_t z)
 {
     static const int32_t terms[] = {136586056, -73199565, 82197737, 53336947, 103205699, 227833644, 1367130661};
     int32_t sum = 0;
@@ -21,12 +22,12 @@ static uint32_t arc_of(int32_t z)
     return (uint32_t)mul_q30((int32_t)fx_sqrt_u64((uint64_t)z << 30), sum);
 }
 
-static struct fx_quat quat_of(const int64_t q[4])
+PH_TIER(seldom) static struct fx_quat quat_of(const int64_t q[4])
 {
     return fx_quat_normalise((struct fx_quat){(int32_t)q[0], (int32_t)q[1], (int32_t)q[2], (int32_t)q[3]});
 }
 
-struct fx_quat ph_quat_slerp(struct fx_quat a, struct fx_quat b, fx_t t)
+PH_TIER(seldom) struct fx_quat ph_quat_slerp(struct fx_quat a, struct fx_quat b, fx_t t)
 {
     const int64_t sum = (fx_mul_wide(a.w, b.w) >> 2) + (fx_mul_wide(a.x, b.x) >> 2) + (fx_mul_wide(a.y, b.y) >> 2) +
                         (fx_mul_wide(a.z, b.z) >> 2);
@@ -53,7 +54,7 @@ struct moment {
     fx_t share;
 };
 
-static struct moment find_key(const struct ph_clip *clip, const struct ph_track *track, fx_t time)
+PH_TIER(seldom) static struct moment find_key(const struct ph_clip *clip, const struct ph_track *track, fx_t time)
 {
     const fx_t at = fx_max(time, 0), tick = at >> clip->time_shift;
     uint32_t low = 0, high = track->key_count; /* the first key behind the time is in low .. high */
@@ -73,7 +74,7 @@ static struct moment find_key(const struct ph_clip *clip, const struct ph_track 
 }
 
 /* The value between key m.key and the next, in units of the keys times 2^16. */
-static int64_t number_at(const struct ph_track *track, struct moment m, uint32_t i)
+PH_TIER(seldom) static int64_t number_at(const struct ph_track *track, struct moment m, uint32_t i)
 {
     const uint32_t width = track->width;
     const bool is_cubic = track->interpolation == PH_KEYS_CUBIC;
@@ -91,19 +92,19 @@ static int64_t number_at(const struct ph_track *track, struct moment m, uint32_t
 }
 
 /* Units of the keys times 2^16 to Q8.24. */
-static int32_t scaled(int64_t number, uint8_t frac)
+PH_TIER(seldom) static int32_t scaled(int64_t number, uint8_t frac)
 {
     const int down = frac - 8;
     return fx_sat64((number + (((int64_t)1 << down) >> 1)) >> down);
 }
 
-static struct fx_quat key_rotation(const struct ph_track *track, uint32_t key)
+PH_TIER(seldom) static struct fx_quat key_rotation(const struct ph_track *track, uint32_t key)
 {
     const int16_t *const k = track->keys + 4 * key;
     return quat_of((const int64_t[]){k[3] * (1 << 15), k[0] * (1 << 15), k[1] * (1 << 15), k[2] * (1 << 15)});
 }
 
-static struct fx_quat rotation_at(const struct ph_track *track, struct moment m)
+PH_TIER(seldom) static struct fx_quat rotation_at(const struct ph_track *track, struct moment m)
 {
     if (track->interpolation != PH_KEYS_CUBIC) {
         const struct fx_quat from = key_rotation(track, m.key);
@@ -113,13 +114,13 @@ static struct fx_quat rotation_at(const struct ph_track *track, struct moment m)
                                      number_at(track, m, 1) >> 3, number_at(track, m, 2) >> 3});
 }
 
-static struct fx_vec3 vector_at(const struct ph_track *track, struct moment m)
+PH_TIER(seldom) static struct fx_vec3 vector_at(const struct ph_track *track, struct moment m)
 {
     return (struct fx_vec3){scaled(number_at(track, m, 0), track->frac), scaled(number_at(track, m, 1), track->frac),
                             scaled(number_at(track, m, 2), track->frac)};
 }
 
-void ph_clip_sample(const struct ph_clip *clip, fx_t time, struct ph_pose *pose, int32_t *weights)
+PH_TIER(seldom) void ph_clip_sample(const struct ph_clip *clip, fx_t time, struct ph_pose *pose, int32_t *weights)
 {
     for (uint32_t i = 0; i < clip->track_count; i++) {
         const struct ph_track *const track = &clip->tracks[i];
@@ -145,7 +146,7 @@ void ph_clip_sample(const struct ph_clip *clip, fx_t time, struct ph_pose *pose,
     }
 }
 
-fx_t ph_clip_loop(const struct ph_clip *clip, fx_t time)
+PH_TIER(seldom) fx_t ph_clip_loop(const struct ph_clip *clip, fx_t time)
 {
     const fx_t at = clip->duration > 0 ? time % clip->duration : 0;
     return at < 0 ? at + clip->duration : at;
@@ -153,14 +154,14 @@ fx_t ph_clip_loop(const struct ph_clip *clip, fx_t time)
 
 /* ---- poses ------------------------------------------------------------------------------------------------------ */
 
-void ph_rig_rest(const struct ph_rig *rig, struct ph_pose *pose)
+PH_TIER(seldom) void ph_rig_rest(const struct ph_rig *rig, struct ph_pose *pose)
 {
     for (uint32_t i = 0; i < rig->node_count; i++) {
         pose[i] = rig->nodes[i].rest;
     }
 }
 
-void ph_pose_blend(struct ph_pose *a, const struct ph_pose *b, uint32_t node_count, fx_t share)
+PH_TIER(seldom) void ph_pose_blend(struct ph_pose *a, const struct ph_pose *b, uint32_t node_count, fx_t share)
 {
     for (uint32_t i = 0; i < node_count; i++) {
         a[i] = (struct ph_pose){ph_quat_slerp(a[i].r, b[i].r, share), fx_vec3_lerp_sat(a[i].t, b[i].t, share),
@@ -169,7 +170,7 @@ void ph_pose_blend(struct ph_pose *a, const struct ph_pose *b, uint32_t node_cou
 }
 
 /* A pose as a matrix. */
-static struct ph_xform place_of(const struct ph_pose *pose)
+PH_TIER(seldom) static struct ph_xform place_of(const struct ph_pose *pose)
 {
     struct ph_xform m = ph_xform_quat(pose->r, pose->t);
     const int32_t s[3] = {pose->s.x, pose->s.y, pose->s.z};
@@ -180,6 +181,7 @@ static struct ph_xform place_of(const struct ph_pose *pose)
     return m;
 }
 
+PH_TIER(seldom)
 void ph_rig_places(const struct ph_rig *rig, const struct ph_pose *pose, const struct ph_xform *root,
                    struct ph_xform *places)
 {

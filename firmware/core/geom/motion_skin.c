@@ -3,6 +3,7 @@
  * overflow: the bounds stand beside them. Sums are made in uint32_t, where what a caller breaks wraps.
  */
 #include "motion.h"
+#include "tier.h"
 
 #include <stddef.h>
 
@@ -126,6 +127,7 @@ static void normalise(const int32_t v[3], int16_t out[3])
 }
 
 /* Neighbours in a mesh often follow the same joints by the same shares. */
+PH_TIER(figure)
 void ph_skin_vertices(const struct ph_bound *from, const struct ph_xform *matrices, struct fx_vec3 *positions,
                       int16_t (*normals)[3])
 {

@@ -22,7 +22,7 @@
 
 /* ---- set-up ----------------------------------------------------------------------------------------------------- */
 
-void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw)
+PH_TIER(mesh) void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw)
 {
     if (draw->lens != r->list.lens) {
         r->lens = *(const struct ph_lens *)ph_at(r, draw->lens);
@@ -31,7 +31,7 @@ void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw)
 }
 
 /* Prepares the draw of a reference that is behind the current draw. */
-static PH_NOINLINE void enter_draw(struct ph_feed *f, uint32_t ref)
+PH_TIER(mesh) static PH_NOINLINE void enter_draw(struct ph_feed *f, uint32_t ref)
 {
     ph_feed_find(f, ref);
     ph_take_lens(f->r, f->draw);
@@ -58,7 +58,7 @@ static inline struct ph_triangle *slot_behind(void *base, uint32_t *used, size_t
 }
 
 /* An unused slot, or NULL. */
-static struct ph_triangle *take_slot(struct ph_renderer *r)
+PH_TIER(mesh) static struct ph_triangle *take_slot(struct ph_renderer *r)
 {
     const struct ph_config *c = &r->config;
     struct ph_triangle *t = r->slots;
@@ -86,14 +86,14 @@ static inline void free_slot(struct ph_renderer *r, struct ph_triangle *t)
 
 /* ---- drawing ---------------------------------------------------------------------------------------------------- */
 
-static void clear_depth(const struct ph_band *rows)
+PH_TIER(mesh) static void clear_depth(const struct ph_band *rows)
 {
     const uint32_t area = (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width;
     ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
 }
 
 /* Clears the rows of a band; of samples only depth, see ph_fine_clear. */
-static void clear(const struct ph_renderer *r, const struct ph_band *rows)
+PH_TIER(mesh) static void clear(const struct ph_renderer *r, const struct ph_band *rows)
 {
     if (r->fine == 0) {
         ph_fill(rows->pixels, r->background, (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width);
@@ -126,7 +126,7 @@ static inline bool is_helped(const struct ph_renderer *r, const struct ph_band *
 
 /* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference
  * for which there is something to do here; none at the end of the list. */
-static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct rest *rest)
+PH_TIER(scenery) static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct rest *rest)
 {
     const uint32_t ref = f->ref;
     struct ph_renderer *const r = f->r;
@@ -161,7 +161,7 @@ static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct rest *rest)
 
 /* Draws the triangles of a band that are left, until the other core is idle: each is set up, drawn, and carried on if
  * it goes on below. */
-static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
+PH_TIER(mesh) static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
 {
     struct ph_renderer *const r = f->r;
     const struct ph_band *const rows = rest->rows;
@@ -214,7 +214,7 @@ struct drawn {
 };
 
 /* Carries on those that go on below the band. */
-static void keep_below(const struct drawn *d)
+PH_TIER(figure) static void keep_below(const struct drawn *d)
 {
     struct rest *const rest = d->rest;
     const struct ph_triangle *const spares = d->spares->at;
@@ -263,7 +263,7 @@ struct set_up_share {
     uint32_t core;
 };
 
-static void set_up_fresh(void *argument)
+PH_TIER(figure) static void set_up_fresh(void *argument)
 {
     const struct set_up_share *const mine = argument;
     struct fresh *const s = mine->fresh;
@@ -301,7 +301,7 @@ static void set_up_fresh(void *argument)
 }
 
 /* When both cores have stopped: sets up the triangle that both claimed, if there is one. */
-static void finish_fresh(struct fresh *s)
+PH_TIER(figure) static void finish_fresh(struct fresh *s)
 {
     if (s->count > 0 && s->claimed[0] - 1 + (s->claimed[1] > 0 ? s->claimed[1] - 1 : 0) < s->count) {
         struct fresh one = {.r = s->r, .first = s->met, .count = 1};
@@ -309,7 +309,7 @@ static void finish_fresh(struct fresh *s)
     }
 }
 
-static struct ph_triangle *take_slot_or_spare(struct ph_renderer *r, struct spares *spares)
+PH_TIER(figure) static struct ph_triangle *take_slot_or_spare(struct ph_renderer *r, struct spares *spares)
 {
     struct ph_triangle *const t = take_slot(r);
     return t != NULL || spares == NULL || spares->used == SPARES ? t : &spares->at[spares->used++];
@@ -317,7 +317,7 @@ static struct ph_triangle *take_slot_or_spare(struct ph_renderer *r, struct spar
 
 /* Takes slots for the next triangles of the band, as far as there are any, and of one camera: that of the first, or
  * without spares that of the picture now. */
-static void take_chunk(struct ph_feed *f, struct spares *spares, struct fresh *fresh)
+PH_TIER(figure) static void take_chunk(struct ph_feed *f, struct spares *spares, struct fresh *fresh)
 {
     struct ph_renderer *const r = f->r;
     struct ph_triangle **link = &fresh->first, *last = NULL;
@@ -356,7 +356,7 @@ struct share {
 };
 
 /* Nobody changes the list meanwhile. */
-static void draw_share(void *argument)
+PH_TIER(figure) static void draw_share(void *argument)
 {
     struct share *const s = argument;
     struct fresh *const fresh = s->then.fresh;
@@ -379,7 +379,7 @@ static void draw_share(void *argument)
 }
 
 /* Merges two lists in drawing order: all of a, and of *b what comes before `end`. */
-static struct ph_triangle *merge(struct ph_triangle *a, struct ph_triangle **b, uint32_t end)
+PH_TIER(figure) static struct ph_triangle *merge(struct ph_triangle *a, struct ph_triangle **b, uint32_t end)
 {
     struct ph_triangle *first = NULL, **link = &first;
     for (;;) {
@@ -401,7 +401,7 @@ static struct ph_triangle *merge(struct ph_triangle *a, struct ph_triangle **b, 
 
 /* Draws triangles in two halves of the band, the lower one on the other core, carries them on, and sets up those that
  * come next there, unless it is NULL. */
-static void draw_list(struct ph_feed *next, const struct drawn *drawn, bool clears)
+PH_TIER(figure) static void draw_list(struct ph_feed *next, const struct drawn *drawn, bool clears)
 {
     struct rest *const rest = drawn->rest;
     const struct ph_band *const rows = rest->rows;
@@ -422,7 +422,7 @@ static void draw_list(struct ph_feed *next, const struct drawn *drawn, bool clea
 }
 
 /* Sets up the next triangles of a band, as many as there are slots. */
-static struct ph_triangle *set_up_chunk(struct ph_feed *f, struct spares *spares)
+PH_TIER(figure) static struct ph_triangle *set_up_chunk(struct ph_feed *f, struct spares *spares)
 {
     struct fresh fresh = {.r = f->r};
     struct set_up_share mine = {&fresh, 0}, others = {&fresh, 1};
@@ -435,7 +435,7 @@ static struct ph_triangle *set_up_chunk(struct ph_feed *f, struct spares *spares
 /* Draws some triangles of a band with two cores: those that are set up already, or the next. Triangles that come next
  * are set up meanwhile, also of the band below, where no reference is put any more then. False: the band is finished.
  */
-static PH_NOINLINE bool draw_chunk(struct ph_feed *f, struct rest *rest, bool clears)
+PH_TIER(figure) static PH_NOINLINE bool draw_chunk(struct ph_feed *f, struct rest *rest, bool clears)
 {
     struct ph_renderer *const r = f->r;
     struct spares spares;
@@ -453,7 +453,7 @@ static PH_NOINLINE bool draw_chunk(struct ph_feed *f, struct rest *rest, bool cl
 }
 
 /* Draws the triangles of a band, with the other core from the moment when it is idle. */
-static void draw_triangles(struct ph_feed *f, const struct ph_band *rows)
+PH_TIER(mesh) static void draw_triangles(struct ph_feed *f, const struct ph_band *rows)
 {
     struct ph_renderer *const r = f->r;
     struct rest rest = {r, rows, r->carried, &r->carried, PH_NONE, 0};
@@ -474,7 +474,7 @@ static void draw_triangles(struct ph_feed *f, const struct ph_band *rows)
     r->stats.fragments += rest.fragments;
 }
 
-uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
+PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;

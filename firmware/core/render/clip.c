@@ -4,11 +4,12 @@
  * share an edge get the same point, and the cut stays watertight. See clip.h.
  */
 #include "clip.h"
+#include "tier.h"
 
 enum { PLANE_NEAR, PLANE_FAR, PLANE_LEFT, PLANE_RIGHT, PLANE_TOP, PLANE_BOTTOM, PLANES };
 
 /* Distance from a plane, positive inside. Its scale does not matter; it is below 2^46. */
-static int64_t distance(const struct ph_lens *lens, const struct ph_clip_vertex *v, int plane)
+PH_TIER(few) static int64_t distance(const struct ph_lens *lens, const struct ph_clip_vertex *v, int plane)
 {
     const int64_t reach = (int64_t)v->w * 8, scale = (int64_t)1 << lens->guard_up;
     switch (plane) {
@@ -27,11 +28,12 @@ static int64_t distance(const struct ph_lens *lens, const struct ph_clip_vertex 
     }
 }
 
-static int32_t lerp_q30(int32_t a, int32_t b, int32_t t_q30)
+PH_TIER(few) static int32_t lerp_q30(int32_t a, int32_t b, int32_t t_q30)
 {
     return (int32_t)(a + ((((int64_t)b - a) * t_q30 + (1 << 29)) >> 30));
 }
 
+PH_TIER(few)
 struct ph_clip_vertex ph_clip_between(const struct ph_clip_vertex *a, const struct ph_clip_vertex *b, int32_t t_q30)
 {
     return (struct ph_clip_vertex){
@@ -42,6 +44,7 @@ struct ph_clip_vertex ph_clip_between(const struct ph_clip_vertex *a, const stru
 }
 
 /* Where the edge from inside (distance from >= 0) to outside (to < 0) meets the plane. */
+PH_TIER(few)
 static struct ph_clip_vertex crossing(const struct ph_lens *lens, const struct ph_clip_vertex *inside,
                                       const struct ph_clip_vertex *outside, int64_t from, int64_t to, int plane)
 {
@@ -63,6 +66,7 @@ static struct ph_clip_vertex crossing(const struct ph_lens *lens, const struct p
  * Clips against one plane. Returns the number of corners left: at most one more. Only a sliver a few LSB thin that lies
  * in the plane may cross it more often; what does not fit PH_CLIP_MAX is left out then.
  */
+PH_TIER(few)
 static int clip_plane(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out,
                       int plane)
 {
@@ -83,7 +87,7 @@ static int clip_plane(const struct ph_lens *lens, const struct ph_clip_vertex *i
     return count;
 }
 
-static bool is_inside(const struct ph_lens *lens, const struct ph_clip_vertex *v, int n, int plane)
+PH_TIER(few) static bool is_inside(const struct ph_lens *lens, const struct ph_clip_vertex *v, int n, int plane)
 {
     while (n > 0 && distance(lens, &v[n - 1], plane) >= 0) {
         n--;
@@ -91,7 +95,7 @@ static bool is_inside(const struct ph_lens *lens, const struct ph_clip_vertex *v
     return n == 0;
 }
 
-int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out)
+PH_TIER(few) int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out)
 {
     struct ph_clip_vertex work[2][PH_CLIP_MAX];
     const struct ph_clip_vertex *from = in;

@@ -7,7 +7,7 @@
 #include "transform.h"
 
 /* A corner that clipping has made is rounded. Some LSB from the eye that may carry it far out of the guard band. */
-static struct ph_corner project_corner(const struct ph_lens *lens, const struct ph_clip_vertex *in)
+PH_TIER(few) static struct ph_corner project_corner(const struct ph_lens *lens, const struct ph_clip_vertex *in)
 {
     struct ph_vertex v;
     ph_project(lens, in->x, in->y, in->w, in->z, &v);
@@ -19,6 +19,7 @@ static struct ph_corner project_corner(const struct ph_lens *lens, const struct 
 }
 
 /* ph_draw_clipped without a fisheye, whose stack is deep enough without these corners. */
+PH_TIER(few)
 static PH_NOINLINE void clip_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                                       const struct ph_clip_vertex in[3])
 {
@@ -32,6 +33,7 @@ static PH_NOINLINE void clip_triangle(struct ph_renderer *r, const struct ph_mat
     r->stats.triangles_culled += n < 3 || !ph_list_fan(r, material, kind, corners, (uint32_t)n);
 }
 
+PH_TIER(few)
 void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                      const struct ph_clip_vertex in[3])
 {
@@ -42,6 +44,7 @@ void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, 
     }
 }
 
+PH_TIER(few)
 void ph_draw_clipped_line(struct ph_renderer *r, const struct ph_material *material,
                           const struct ph_clip_vertex ends[2])
 {
@@ -56,6 +59,7 @@ void ph_draw_clipped_line(struct ph_renderer *r, const struct ph_material *mater
     }
 }
 
+PH_TIER(few)
 void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material)
 {
     if (r->list.is_closed == PH_LIST_CLOSED) {

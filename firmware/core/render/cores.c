@@ -1,12 +1,12 @@
 /* See cores.h. */
 #include "cores.h"
 
-static void nothing(void *argument)
+PH_TIER(mesh) static void nothing(void *argument)
 {
     (void)argument;
 }
 
-bool ph_other_core_is_idle(const struct ph_renderer *r)
+PH_TIER(mesh) bool ph_other_core_is_idle(const struct ph_renderer *r)
 {
     if (r->config.other_core == NULL || !r->config.other_core(nothing, NULL)) {
         return false;
@@ -15,6 +15,7 @@ bool ph_other_core_is_idle(const struct ph_renderer *r)
     return true;
 }
 
+PH_TIER(seldom)
 void ph_draw_in_parts(struct ph_renderer *r, const struct ph_band *band, int32_t rows, void (*draw)(void *share))
 {
     const bool both = rows > 0 && ph_other_core_is_idle(r);

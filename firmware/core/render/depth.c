@@ -1,4 +1,11 @@
 /* See depth.h. */
+#include "tier.h"
+#include <stdint.h>
+
+/* Copies of these inline functions that the compiler does not inline here lie with what calls them. */
+PH_TIER(mesh) static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b);
+PH_TIER(mesh) static inline uint32_t fx_rcp_norm(uint32_t w, int *shift);
+
 #include "depth.h"
 
 size_t ph_depth_bytes(unsigned format)
@@ -25,14 +32,14 @@ unsigned ph_depth_choose_exponent(const struct ph_projection *projection)
 }
 
 /* (f - z) / (f - n) as a quotient with s = 0, q = 0 .. 2^30 less the head room. */
-static struct ph_quotient ortho_quotient(const struct ph_lens *lens, fx_t z)
+PH_TIER(mesh) static struct ph_quotient ortho_quotient(const struct ph_lens *lens, fx_t z)
 {
     const uint32_t behind_far = (uint32_t)lens->far_z - (uint32_t)z; /* z is between near and far */
     const uint32_t d = fx_mulhi_u32(behind_far << lens->near_shift, lens->depth_scale);
     return (struct ph_quotient){d - (d >> ph_depth_head(lens)), 0};
 }
 
-struct ph_quotient ph_depth_quotient(const struct ph_lens *lens, fx_t w)
+PH_TIER(mesh) struct ph_quotient ph_depth_quotient(const struct ph_lens *lens, fx_t w)
 {
     if (lens->kind == PH_ORTHOGRAPHIC) {
         return ortho_quotient(lens, w);

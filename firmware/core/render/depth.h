@@ -62,6 +62,7 @@
 #define PH_DEPTH_H
 
 #include "render.h"
+#include "tier.h"
 
 #define PH_DEPTH_BIAS_FIXED16 ((uint32_t)65 << 14)
 #define PH_DEPTH_BIAS_FLOAT16 ((uint32_t)8 << 16)
@@ -134,7 +135,7 @@ static inline uint32_t ph_depth_float16_value(uint32_t d, int up)
     return up >= 0 ? d << up : d >> -up;
 }
 
-static inline uint32_t ph_depth_float16_slope(uint32_t gradient, int up)
+PH_TIER(scenery) static inline uint32_t ph_depth_float16_slope(uint32_t gradient, int up)
 {
     return up >= 0 ? gradient << up : (uint32_t)((int32_t)gradient >> -up) + (gradient >> (-up - 1) & 1);
 }

@@ -6,20 +6,20 @@
 
 enum { FIXED, FLOAT, LINEAR }; /* how a depth becomes codes */
 
-static void store(uint32_t to[2], uint64_t value)
+PH_TIER(seldom) static void store(uint32_t to[2], uint64_t value)
 {
     to[0] = (uint32_t)value;
     to[1] = (uint32_t)(value >> 32);
 }
 
-static uint64_t load(const uint32_t from[2])
+PH_TIER(seldom) static uint64_t load(const uint32_t from[2])
 {
     return (uint64_t)from[1] << 32 | from[0];
 }
 
 /* 2^16 n / area, rounded towards 0, modulo 2^64. |n| is below 2^63, area below 2^48. For short sides the last 8 bits
  * may be missing, which saves a division. */
-static uint64_t divide(int64_t n, uint64_t area, bool is_short)
+PH_TIER(seldom) static uint64_t divide(int64_t n, uint64_t area, bool is_short)
 {
     const uint64_t m = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
     const uint32_t high = (uint32_t)(m >> 32);
@@ -33,12 +33,13 @@ static uint64_t divide(int64_t n, uint64_t area, bool is_short)
 }
 
 /* A quotient of depth.h in 2^-40. */
-static int64_t in_40_bits(uint32_t q, int s)
+PH_TIER(seldom) static int64_t in_40_bits(uint32_t q, int s)
 {
     return s <= 10 ? (int64_t)((uint64_t)q << (10 - s)) : s < 42 ? q >> (s - 10) : 0;
 }
 
 /* The plane through d, 2^-40, of the corners, and their range. */
+PH_TIER(seldom)
 static void set_plane(struct ph_exact *e, const int64_t d[3], const struct ph_vertex *first,
                       const struct ph_sides *sides)
 {
@@ -55,7 +56,7 @@ static void set_plane(struct ph_exact *e, const int64_t d[3], const struct ph_ve
 }
 
 /* How depth becomes codes. */
-static void set_codes(struct ph_exact *e, const struct ph_renderer *r)
+PH_TIER(seldom) static void set_codes(struct ph_exact *e, const struct ph_renderer *r)
 {
     const unsigned format = r->stats.depth_format;
     const bool linear = format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC;
@@ -66,14 +67,14 @@ static void set_codes(struct ph_exact *e, const struct ph_renderer *r)
 }
 
 /* The lowest octave of a float. */
-static int lowest_of(const struct ph_exact *e)
+PH_TIER(seldom) static int lowest_of(const struct ph_exact *e)
 {
     return ph_depth_lowest(0, e->down);
 }
 
 /* The octave in which d becomes codes; 3 shifts d to the unit of the fixed formats. For linear-w it ends at 30: the
  * exponent of a corner is 31 at most, and see scale_linear. */
-static int octave_of(const struct ph_exact *e, uint64_t d)
+PH_TIER(seldom) static int octave_of(const struct ph_exact *e, uint64_t d)
 {
     const uint32_t high = (uint32_t)(d >> 24);
     return e->kind == FIXED ? 3 : e->kind == FLOAT ? ph_depth_octave(high, lowest_of(e)) : ph_min(fx_clz32(high), 30);
@@ -86,7 +87,7 @@ static inline uint32_t in_codes(uint64_t d, int down, uint64_t halves)
 }
 
 /* 16.16 code of linear-w. */
-static uint32_t linear_code(const struct ph_exact *e, const struct ph_linear *linear, uint64_t over_w)
+PH_TIER(seldom) static uint32_t linear_code(const struct ph_exact *e, const struct ph_linear *linear, uint64_t over_w)
 {
     struct ph_linear l = *linear;
     const int octave = octave_of(e, over_w);
@@ -95,7 +96,7 @@ static uint32_t linear_code(const struct ph_exact *e, const struct ph_linear *li
 }
 
 /* Moves the plane towards the viewer: see depth_bias_slope in render.h. */
-static void lift(struct ph_exact *e, struct ph_linear *linear, uint32_t slope)
+PH_TIER(seldom) static void lift(struct ph_exact *e, struct ph_linear *linear, uint32_t slope)
 {
     const uint64_t top = ((uint64_t)1 << 56) - ((uint64_t)1 << 47); /* where the codes have room for depth_bias */
     const uint64_t low = load(e->low), size = load(e->size), high = low + size, room = high < top ? top - high : 0;
@@ -114,6 +115,7 @@ static void lift(struct ph_exact *e, struct ph_linear *linear, uint32_t slope)
     store(e->low, low + up);
 }
 
+PH_TIER(seldom)
 void ph_set_exact(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                   const struct ph_sides *sides, struct ph_depth *depth)
 {
@@ -137,7 +139,7 @@ struct range {
 };
 
 /* The octave of a depth in the corners' range, cut off where that ends. */
-static struct range range_of(const struct ph_exact *e, int octave)
+PH_TIER(seldom) static struct range range_of(const struct ph_exact *e, int octave)
 {
     const uint64_t low = load(e->low), high = low + load(e->size), half = (uint64_t)1 << (55 - octave);
     const uint64_t first = e->kind == FLOAT && octave == lowest_of(e) ? 0 : half;
@@ -157,6 +159,7 @@ static inline uint64_t depth_at(const struct ph_exact *e, uint32_t x, uint32_t y
 }
 
 /* What is added to the codes of an octave. */
+PH_TIER(seldom)
 static uint32_t offset_of(const struct ph_exact *e, const struct ph_material *material, int octave)
 {
     const uint32_t bias = ph_depth_bias(material);
@@ -165,13 +168,14 @@ static uint32_t offset_of(const struct ph_exact *e, const struct ph_material *ma
                               : PH_DEPTH_BIAS_FIXED16 + (bias << 16);
 }
 
-static struct ph_plane scaled(const struct ph_plane *p, int up)
+PH_TIER(seldom) static struct ph_plane scaled(const struct ph_plane *p, int up)
 {
     return (struct ph_plane){p->base << up, p->gx << up, p->gy << up};
 }
 
 /* For linear-w: the unit of 1/w, and of u/w and v/w with it. It is not larger than that of t, which is the nearest
  * corner's. */
+PH_TIER(seldom)
 static void scale_linear(const struct ph_triangle *t, int octave, struct ph_triangle *run)
 {
     struct ph_linear *const linear = &run->as.large.depth.over_w.linear;
@@ -186,6 +190,7 @@ static void scale_linear(const struct ph_triangle *t, int octave, struct ph_tria
 }
 
 /* The plane of a run, through d at pixel (x, y). */
+PH_TIER(seldom)
 static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_t x, uint32_t y,
                     struct ph_triangle *run)
 {
@@ -201,6 +206,7 @@ static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_
 }
 
 /* The outline of a run: rows y .. y_end - 1 between two edges, which are given at row y. */
+PH_TIER(seldom)
 static void set_rows(struct ph_triangle *run, int32_t y, int32_t y_end, struct ph_edge left, struct ph_edge right)
 {
     struct ph_large *const large = &run->as.large;
@@ -212,11 +218,12 @@ static void set_rows(struct ph_triangle *run, int32_t y, int32_t y_end, struct p
 }
 
 /* The column of an edge so many rows further down. */
-static int32_t column_below(struct ph_edge edge, int32_t rows)
+PH_TIER(seldom) static int32_t column_below(struct ph_edge edge, int32_t rows)
 {
     return (int32_t)((uint32_t)edge.x + (uint32_t)rows * (uint32_t)edge.dx) >> 16;
 }
 
+PH_TIER(seldom)
 bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *strip, struct ph_triangle *run)
 {
     const struct ph_exact *const e = &t->as.large.depth.as.exact;
@@ -243,7 +250,7 @@ bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *str
 }
 
 /* How many of n pixels from (x, y) on stay in the range. The first has depth d, which is in it. */
-static uint32_t pixels_in(const struct range *range, uint64_t d, uint64_t gd, uint32_t n)
+PH_TIER(seldom) static uint32_t pixels_in(const struct range *range, uint64_t d, uint64_t gd, uint32_t n)
 {
     uint32_t count = 1;
     if (holds(range, d + gd * (n - 1))) { /* then so are all between, because depth is linear */
@@ -255,6 +262,7 @@ static uint32_t pixels_in(const struct range *range, uint64_t d, uint64_t gd, ui
     return count;
 }
 
+PH_TIER(seldom)
 int32_t ph_exact_run(const struct ph_triangle *t, int32_t x, int32_t x_end, int32_t y, struct ph_triangle *run)
 {
     const struct ph_exact *const e = &t->as.large.depth.as.exact;

@@ -1,4 +1,11 @@
 /* feed: see feed.h. */
+#include "tier.h"
+#include <stdint.h>
+
+/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
+struct ph_renderer;
+PH_TIER(mesh) static inline void *ph_at(const struct ph_renderer *r, uint32_t place);
+
 #include "feed.h"
 
 #include "edge.h"
@@ -29,7 +36,7 @@ static inline __attribute__((always_inline)) void sort_ref(uint32_t *bins, struc
 }
 
 /* The same where some of the references belong into no list. */
-static PH_NOINLINE void sort_some_refs(uint32_t *bins, struct ph_ref *ref, uint32_t i)
+PH_TIER(mesh) static PH_NOINLINE void sort_some_refs(uint32_t *bins, struct ph_ref *ref, uint32_t i)
 {
     for (; i > 0; ref++) {
         i--;
@@ -40,7 +47,7 @@ static PH_NOINLINE void sort_some_refs(uint32_t *bins, struct ph_ref *ref, uint3
 }
 
 /* Puts the references into the lists of their bands, from the last, so that each list is in drawing order. */
-static void sort_refs(struct ph_renderer *r)
+PH_TIER(mesh) static void sort_refs(struct ph_renderer *r)
 {
     uint32_t *const bins = r->config.bins;
     uint32_t i = ph_ref_count(r);
@@ -64,7 +71,7 @@ static void sort_refs(struct ph_renderer *r)
     }
 }
 
-void ph_feed_sort(struct ph_renderer *r)
+PH_TIER(mesh) void ph_feed_sort(struct ph_renderer *r)
 {
     uint32_t *const bins = r->config.bins;
     for (uint32_t i = r->band_count; i > 0; i--) {
@@ -83,7 +90,7 @@ static bool touches(const struct ph_feed *f, const struct ph_draw *draw, const s
     return box.y0 < y0 + height && box.y1 > y0;
 }
 
-uint32_t ph_feed_far(const struct ph_feed *f, uint32_t ref)
+PH_TIER(seldom) uint32_t ph_feed_far(const struct ph_feed *f, uint32_t ref)
 {
     const struct ph_renderer *const r = f->r;
     const uint32_t count = ph_ref_count(r);
@@ -119,7 +126,7 @@ void ph_feed_put_below(const struct ph_feed *f, uint32_t ref, uint32_t *after)
     *after = ref;
 }
 
-void ph_feed_start(struct ph_feed *f, struct ph_renderer *r, uint32_t band)
+PH_TIER(mesh) void ph_feed_start(struct ph_feed *f, struct ph_renderer *r, uint32_t band)
 {
     f->r = r;
     f->band = band;
@@ -128,7 +135,7 @@ void ph_feed_start(struct ph_feed *f, struct ph_renderer *r, uint32_t band)
     f->next_first = 0;
 }
 
-void ph_feed_find(struct ph_feed *f, uint32_t ref)
+PH_TIER(mesh) void ph_feed_find(struct ph_feed *f, uint32_t ref)
 {
     const struct ph_renderer *const r = f->r;
     while (ref >= f->next_first) {

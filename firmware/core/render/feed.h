@@ -31,7 +31,7 @@ void ph_feed_find(struct ph_feed *f, uint32_t ref);
 uint32_t ph_feed_far(const struct ph_feed *f, uint32_t ref);
 
 /* The reference after number ref in the list of a band; PH_NONE at the end. */
-static inline uint32_t ph_feed_next(const struct ph_feed *f, uint32_t ref)
+PH_TIER(mesh) static inline uint32_t ph_feed_next(const struct ph_feed *f, uint32_t ref)
 {
     const uint32_t link = ph_ref_at(f->r, ref)->link;
     return link == 0 ? PH_NONE : link < PH_LINK_FAR ? ref + link : ph_feed_far(f, ref);

@@ -94,7 +94,7 @@ static inline struct columns columns_of(struct walk *w, const struct ph_ref *at,
     return all;
 }
 
-void ph_fine_reach(struct ph_renderer *r, uint32_t band, struct ph_reach *in)
+PH_TIER(seldom) void ph_fine_reach(struct ph_renderer *r, uint32_t band, struct ph_reach *in)
 {
     const int32_t width = r->config.width, margin = 2 * 256;
     const struct ph_triangle *const carried = r->carried;
@@ -115,7 +115,7 @@ void ph_fine_reach(struct ph_renderer *r, uint32_t band, struct ph_reach *in)
     in->from = ph_min(ph_max((all.from - margin) >> 9, 0), in->end);
 }
 
-void ph_fine_clear(const struct ph_band *rows, const struct ph_reach *in, uint16_t background)
+PH_TIER(seldom) void ph_fine_clear(const struct ph_band *rows, const struct ph_reach *in, uint16_t background)
 {
     uint16_t *samples = rows->pixels + 2 * in->from;
     for (int32_t y = rows->y0; y < rows->y1; y++, samples += rows->stride) {

@@ -16,6 +16,7 @@
 #define G_SHIFT     23 /* of c in Q29: 64 steps from 0 to 1 */
 
 /* theta / sin theta at c = cos theta = i / 64 (above 1: arcosh c / sinh arcosh c), Q30. */
+PH_TIER(few)
 static const uint32_t g_ahead[67] = {
     1686629713, 1670055691, 1653877572, 1638080253, 1622649420, 1607571492, 1592833580, 1578423437, 1564329419,
     1550540449, 1537045982, 1523835971, 1510900837, 1498231444, 1485819073, 1473655393, 1461732446, 1450042622,
@@ -28,6 +29,7 @@ static const uint32_t g_ahead[67] = {
 };
 
 /* The same behind the viewer, Q26: octave k, 34 entries, is at 1 + c = 2^-(k + 1) (1 + i / 32). */
+PH_TIER(few)
 static const uint32_t g_behind[7 * 34] = {
     162296020,  159280097,  156402440,  153652987,  151022669,  148503284,  146087397,  143768247,  141539672,
     139396045,  137332210,  135343440,  133425387,  131574045,  129785716,  128056984,  126384682,  124765873,
@@ -58,7 +60,7 @@ static const uint32_t g_behind[7 * 34] = {
     1148872549, 1139249272, 1129852895, 1120674654,
 };
 
-void ph_fisheye_unit(const int32_t v[3], int32_t unit[3], struct ph_inverse *inverse)
+PH_TIER(few) void ph_fisheye_unit(const int32_t v[3], int32_t unit[3], struct ph_inverse *inverse)
 {
     const uint32_t all = fx_magnitude(v[0]) | fx_magnitude(v[1]) | fx_magnitude(v[2]);
     const int up = fx_clz32(all) - 1; /* largest to 31 bits */
@@ -92,7 +94,7 @@ static inline uint32_t between(const uint32_t *g, uint32_t part_q32)
 }
 
 /* g of c, Q26, 2^-18 off at most. */
-static uint32_t g_of(int32_t c)
+PH_TIER(few) static uint32_t g_of(int32_t c)
 {
     if (c >= 0) {
         const int32_t i = c >> G_SHIFT < 64 ? c >> G_SHIFT : 64;
@@ -112,21 +114,21 @@ static inline int32_t offset(int32_t direction, uint32_t g, int32_t focal)
     return ph_high_product(radians, focal) + (int32_t)((uint32_t)radians * (uint32_t)focal >> 31);
 }
 
-unsigned ph_fisheye_zone(const struct ph_lens *lens, uint32_t size)
+PH_TIER(scenery) unsigned ph_fisheye_zone(const struct ph_lens *lens, uint32_t size)
 {
     const uint32_t aside = fx_mulhi_u32((uint32_t)lens->radian_px, PART_Q32(1.851 / 256)); /* 5 pi / 6 / sqrt 2 */
     return size >= aside ? 0 : size < aside - (aside >> 2) + (aside >> 5) ? PH_RAY_BEFORE | PH_RAY_ASIDE : PH_RAY_ASIDE;
 }
 
 /* Compares the distance with both spheres. */
-static unsigned spheres_of(const struct ph_lens *lens, struct ph_inverse inverse)
+PH_TIER(few) static unsigned spheres_of(const struct ph_lens *lens, struct ph_inverse inverse)
 {
     const struct ph_inverse near = {lens->near_over, lens->near_zeros}, far = {lens->far_over, lens->far_zeros};
     return (ph_inverse_is_less(near, inverse) ? PH_RAY_NEAR : 0u) |
            (ph_inverse_is_less(inverse, far) ? PH_RAY_FAR : 0u);
 }
 
-void ph_fisheye_place(const struct ph_lens *lens, struct ph_ray *v)
+PH_TIER(few) void ph_fisheye_place(const struct ph_lens *lens, struct ph_ray *v)
 {
     const uint32_t g = g_of(v->direction[2]);
     const int32_t focal = lens->radian_px, x = offset(v->direction[0], g, focal), y = offset(v->direction[1], g, focal);
@@ -138,7 +140,7 @@ void ph_fisheye_place(const struct ph_lens *lens, struct ph_ray *v)
                    ph_fisheye_zone(lens, size) | spheres_of(lens, v->inverse));
 }
 
-void ph_fisheye_lens(struct ph_lens *lens, const struct ph_projection *p, int32_t height)
+PH_TIER(few) void ph_fisheye_lens(struct ph_lens *lens, const struct ph_projection *p, int32_t height)
 {
     lens->focal_x = lens->focal_y = FX_Q30_ONE; /* x and y of the clip matrix are lengths */
     const uint32_t turn_px = (uint32_t)((fx_mul_wide(p->scale_y_q20, height) * 205887) >> 20); /* pi half heights */
@@ -153,12 +155,12 @@ void ph_fisheye_lens(struct ph_lens *lens, const struct ph_projection *p, int32_
     lens->far_zeros = (int16_t)zeros;
 }
 
-static struct ph_quotient depth_of(const struct ph_lens *lens, const struct ph_ray *v)
+PH_TIER(scenery) static struct ph_quotient depth_of(const struct ph_lens *lens, const struct ph_ray *v)
 {
     return ph_depth_quotient_of(lens, v->inverse.m, v->inverse.s);
 }
 
-void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, struct ph_vertex *v)
+PH_TIER(few) void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, struct ph_vertex *v)
 {
     struct ph_ray to;
     ph_fisheye_unit((const int32_t[3]){x, y, w}, to.direction, &to.inverse);
@@ -169,13 +171,13 @@ void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32_t y, int32_t
     ph_vertex_depth(v, depth_of(lens, &to));
 }
 
-struct ph_corner ph_ray_corner(const struct ph_lens *lens, const struct ph_ray *v)
+PH_TIER(scenery) struct ph_corner ph_ray_corner(const struct ph_lens *lens, const struct ph_ray *v)
 {
     const struct ph_quotient depth = depth_of(lens, v);
     return (struct ph_corner){{v->at.x, v->at.y, depth.q, depth.s, 0, v->light}, {v->uv[0], v->uv[1]}};
 }
 
-void ph_fisheye_ray(const struct ph_lens *lens, const struct ph_clip_vertex *in, struct ph_ray *v)
+PH_TIER(scenery) void ph_fisheye_ray(const struct ph_lens *lens, const struct ph_clip_vertex *in, struct ph_ray *v)
 {
     ph_fisheye_unit((const int32_t[3]){in->x, in->y, in->w}, v->direction, &v->inverse);
     v->light = (uint16_t)in->light;

@@ -7,7 +7,7 @@
 #include "edge.h"
 
 /* The distance that belongs to an inverse, in units of 2^up of Q16.16. */
-static int32_t distance_of(struct ph_inverse inverse, int up)
+PH_TIER(few) static int32_t distance_of(struct ph_inverse inverse, int up)
 {
     int shift;
     const uint32_t r = fx_rcp_norm(inverse.m, &shift); /* 2^61 / m */
@@ -16,19 +16,19 @@ static int32_t distance_of(struct ph_inverse inverse, int up)
 }
 
 /* A sphere's distance in units of 2^up. */
-static int32_t scaled(fx_t distance, int up)
+PH_TIER(few) static int32_t scaled(fx_t distance, int up)
 {
     return up >= 32 ? 0 : up >= 0 ? distance >> up : fx_sat64((int64_t)((uint64_t)distance << (up > -31 ? -up : 31)));
 }
 
-static int32_t along(int32_t direction, int32_t distance)
+PH_TIER(few) static int32_t along(int32_t direction, int32_t distance)
 {
     return (int32_t)(fx_mul_wide(direction, distance) >> 29);
 }
 
 /* A vertex as a corner, with its distance between both spheres: that is not linear along an edge, and a point that
  * clipping has made may be 1/80 off its sphere. */
-static struct ph_corner cut_corner(const struct ph_lens *lens, const struct ph_ray *v)
+PH_TIER(few) static struct ph_corner cut_corner(const struct ph_lens *lens, const struct ph_ray *v)
 {
     const struct ph_inverse near = {lens->near_over, lens->near_zeros}, far = {lens->far_over, lens->far_zeros};
     struct ph_ray corner = *v;
@@ -39,9 +39,10 @@ static struct ph_corner cut_corner(const struct ph_lens *lens, const struct ph_r
 }
 
 /* Clips a polygon to the cone that is visible, as to a far plane: z is -cosine. Returns the corners left. */
+PH_TIER(few)
 static int clip_cone(const struct ph_lens *lens, struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out)
 {
-    static const struct ph_lens cone = {.kind = PH_FISHEYE, .near_z = FX_MIN, .far_z = -PH_FISHEYE_BLIND};
+    PH_TIER(few) static const struct ph_lens cone = {.kind = PH_FISHEYE, .near_z = FX_MIN, .far_z = -PH_FISHEYE_BLIND};
     struct ph_ray at;
     for (int i = 0; i < n; i++) {
         ph_fisheye_ray(lens, &in[i], &at);
@@ -51,6 +52,7 @@ static int clip_cone(const struct ph_lens *lens, struct ph_clip_vertex *in, int 
 }
 
 /* Coordinates are scaled so that the farthest has 29 bits: the cut is as fine where the scene is tiny. */
+PH_TIER(few)
 int ph_fisheye_clip(const struct ph_lens *lens, const struct ph_ray *const v[3], int n, struct ph_corner *out,
                     bool *beyond)
 {

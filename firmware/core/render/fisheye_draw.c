@@ -38,7 +38,7 @@ struct division {
 
 /* Divides piece number `top` at the pool's next vertex: into pieces top and top + 1. Each keeps one edge, and the edge
  * between them is measured once. */
-static void divide_piece(struct division *d, int top, int edge)
+PH_TIER(few) static void divide_piece(struct division *d, int top, int edge)
 {
     const int from = ph_next_corner[edge], to = ph_next_corner[edge + 1];
     const uint8_t middle = d->used[top];
@@ -58,7 +58,7 @@ static void divide_piece(struct division *d, int top, int edge)
     p[1].straight &= (uint8_t)(1 << from);
 }
 
-static void clip_piece(struct division *d, const struct ph_ray *const v[3])
+PH_TIER(few) static void clip_piece(struct division *d, const struct ph_ray *const v[3])
 {
     struct ph_corner corners[PH_CLIP_MAX];
     bool beyond = false;
@@ -70,7 +70,7 @@ static void clip_piece(struct division *d, const struct ph_ray *const v[3])
 }
 
 /* If corners count from elsewhere now, those on the list have lost their numbers. */
-static bool has_moved(struct division *d)
+PH_TIER(few) static bool has_moved(struct division *d)
 {
     if (ph_list_base(d->r) == d->base) {
         return false;
@@ -83,7 +83,7 @@ static bool has_moved(struct division *d)
 }
 
 /* Puts the corners of a piece on the list, unless they are there. False: there is no room. */
-static bool list_corners(struct division *d, const uint8_t corner[3], uint16_t number[3])
+PH_TIER(few) static bool list_corners(struct division *d, const uint8_t corner[3], uint16_t number[3])
 {
     const uint32_t kind = d->kind | (ph_has_uvs(d->material) ? PH_DRAW_UVS : 0);
     has_moved(d);
@@ -106,7 +106,7 @@ static bool list_corners(struct division *d, const uint8_t corner[3], uint16_t n
 }
 
 /* Lists a piece if it can be seen. */
-static void list_piece(struct division *d, const struct ph_ray *const v[3], const uint8_t corner[3])
+PH_TIER(few) static void list_piece(struct division *d, const struct ph_ray *const v[3], const uint8_t corner[3])
 {
     struct ph_vertex at[3];
     for (int i = 0; i < 3; i++) {
@@ -132,7 +132,7 @@ static void list_piece(struct division *d, const struct ph_ray *const v[3], cons
 }
 
 /* Draws piece number `top`, or divides it into pieces top and top + 1; then it returns true. */
-static bool take_piece(struct division *d, int top)
+PH_TIER(few) static bool take_piece(struct division *d, int top)
 {
     struct piece *const p = &d->stack[top];
     const struct ph_ray *const v[3] = {&d->pool[p->corner[0]], &d->pool[p->corner[1]], &d->pool[p->corner[2]]};
@@ -158,7 +158,7 @@ static bool take_piece(struct division *d, int top)
  * Whether the triangle is a back face: the sign of the volume of its directions. It is decided for the whole triangle,
  * because rounding may turn pieces of one seen edge-on either way.
  */
-static bool faces_away(const struct ph_ray v[3])
+PH_TIER(few) static bool faces_away(const struct ph_ray v[3])
 {
     int32_t e[2][3];
     int64_t volume = 0;
@@ -174,6 +174,7 @@ static bool faces_away(const struct ph_ray v[3])
     return volume >= 0; /* y points down */
 }
 
+PH_TIER(few)
 void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                          const struct ph_clip_vertex in[3])
 {
@@ -211,6 +212,7 @@ void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *materi
 
 /* ---- lines ---------------------------------------------------------------------------------------------------- */
 
+PH_TIER(few)
 static void draw_line_piece(struct ph_renderer *r, const struct ph_material *material, const struct ph_ray *a,
                             const struct ph_ray *b)
 {
@@ -230,6 +232,7 @@ static void draw_line_piece(struct ph_renderer *r, const struct ph_material *mat
 }
 
 /* The ends still to be reached wait on a stack. A piece is drawn, or its dividing point is pushed onto the stack. */
+PH_TIER(few)
 void ph_fisheye_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex ends[2])
 {
     const struct ph_lens *lens = &r->lens;

@@ -22,7 +22,7 @@ static inline uint32_t chord2(int32_t ax, int32_t ay, int32_t bx, int32_t by)
     return (dx | dy) >> 15 != 0 ? UINT32_MAX : dx * dx + dy * dy;
 }
 
-static uint32_t chord_of(const struct ph_ray *a, const struct ph_ray *b)
+PH_TIER(few) static uint32_t chord_of(const struct ph_ray *a, const struct ph_ray *b)
 {
     return chord2(a->at.x, a->at.y, b->at.x, b->at.y);
 }
@@ -43,12 +43,13 @@ static inline uint32_t shortest2(const struct ph_lens *lens, unsigned zones)
     return least < longest2(lens) ? least : longest2(lens);
 }
 
-static unsigned zone_at(const struct ph_lens *lens, const struct ph_vertex *v)
+PH_TIER(few) static unsigned zone_at(const struct ph_lens *lens, const struct ph_vertex *v)
 {
     const uint32_t x = fx_magnitude(v->x - lens->centre_x), y = fx_magnitude(v->y - lens->centre_y);
     return ph_fisheye_zone(lens, x > y ? x : y);
 }
 
+PH_TIER(few)
 static PH_NOINLINE bool chords_are_within(uint32_t limit, const struct ph_vertex *a, const struct ph_vertex *b,
                                           const struct ph_vertex *c)
 {
@@ -56,6 +57,7 @@ static PH_NOINLINE bool chords_are_within(uint32_t limit, const struct ph_vertex
            chord2(c->x, c->y, a->x, a->y) <= limit;
 }
 
+PH_TIER(few)
 bool ph_fisheye_is_small(const struct ph_lens *lens, const struct ph_vertex *a, const struct ph_vertex *b,
                          const struct ph_vertex *c)
 {
@@ -64,7 +66,7 @@ bool ph_fisheye_is_small(const struct ph_lens *lens, const struct ph_vertex *a, 
 
 /* The square of the distance between two unit vectors, Q26, rounded down; below 2^29. For a small angle it is the
  * square of the angle. */
-static uint32_t apart2(const struct ph_ray *a, const struct ph_ray *b)
+PH_TIER(few) static uint32_t apart2(const struct ph_ray *a, const struct ph_ray *b)
 {
     uint32_t sum = 0;
     for (int i = 0; i < 3; i++) {
@@ -76,7 +78,7 @@ static uint32_t apart2(const struct ph_ray *a, const struct ph_ray *b)
 
 /* 1/distance of the dividing point of an edge whose ends' directions differ by the angle A: mean / cos(A / 2). more_q32
  * is 1 / cos(A / 2) - 1. */
-static struct ph_inverse inverse_between(struct ph_inverse a, struct ph_inverse b, uint32_t more_q32)
+PH_TIER(few) static struct ph_inverse inverse_between(struct ph_inverse a, struct ph_inverse b, uint32_t more_q32)
 {
     const struct ph_inverse far = ph_inverse_is_less(a, b) ? a : b, near = ph_inverse_is_less(a, b) ? b : a;
     const int down = near.s - far.s;
@@ -95,7 +97,7 @@ static inline uint32_t over_cosine(uint32_t e_q28)
 }
 
 /* Light and texture of the dividing point: at t = |a| / (|a| + |b|). */
-static void divide_attributes(const struct ph_ray *a, const struct ph_ray *b, struct ph_ray *m)
+PH_TIER(few) static void divide_attributes(const struct ph_ray *a, const struct ph_ray *b, struct ph_ray *m)
 {
     int shift;
     const struct ph_inverse of_a = a->inverse, of_b = b->inverse;
@@ -113,6 +115,7 @@ static void divide_attributes(const struct ph_ray *a, const struct ph_ray *b, st
 }
 
 /* Sets the dividing point of an edge. The order of the two ends does not change its place. */
+PH_TIER(few)
 static void divide(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b, struct ph_ray *m)
 {
     const uint32_t e_q28 = apart2(a, b);
@@ -142,7 +145,7 @@ static void divide(const struct ph_lens *lens, const struct ph_ray *a, const str
     ph_fisheye_place(lens, m);
 }
 
-uint32_t ph_fisheye_arc(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b)
+PH_TIER(few) uint32_t ph_fisheye_arc(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b)
 {
     const uint32_t chord = chord_of(a, b), longest = longest2(lens);
     if (chord <= longest) {
@@ -154,6 +157,7 @@ uint32_t ph_fisheye_arc(const struct ph_lens *lens, const struct ph_ray *a, cons
 
 /* The angle of an edge that is not long, but bends: its dividing point *m, which is set then, is over 1/2 px off the
  * chord. Squared as in apart2; 0 if it need not be divided. */
+PH_TIER(few)
 static uint32_t bent_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b, uint32_t chord,
                            struct ph_ray *m)
 {
@@ -181,7 +185,7 @@ static inline uint32_t sides_of(const struct ph_renderer *r, int32_t x, int32_t 
 
 /* Whether all vertices are beyond one side of the picture. Edges are at most twice as long as the longest that are
  * drawn; if they are short, chords may be 17/32 f behind the viewer: over half of these is the margin. */
-static bool misses_picture(const struct ph_renderer *r, const struct ph_ray *const v[], int n)
+PH_TIER(few) static bool misses_picture(const struct ph_renderer *r, const struct ph_ray *const v[], int n)
 {
     const int32_t margin = r->lens.chord_max;
     uint32_t outside = ALL_SIDES;
@@ -191,7 +195,7 @@ static bool misses_picture(const struct ph_renderer *r, const struct ph_ray *con
     return outside != 0;
 }
 
-bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *const v[3])
+PH_TIER(few) bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *const v[3])
 {
     const int32_t margin = r->lens.chord_max;
     uint32_t outside = ALL_SIDES;
@@ -201,6 +205,7 @@ bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *cons
     return outside != 0 && chords_are_within(4 * longest2(&r->lens), v[0], v[1], v[2]);
 }
 
+PH_TIER(few)
 int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *const v[3], const uint32_t arcs[3],
                               uint8_t *straight, struct ph_ray *middle)
 {
@@ -233,6 +238,7 @@ int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *
     return edge;
 }
 
+PH_TIER(few)
 bool ph_fisheye_divides_line(const struct ph_renderer *r, const struct ph_ray *const ends[2], struct ph_ray *middle,
                              bool *misses)
 {

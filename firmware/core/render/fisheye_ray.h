@@ -44,7 +44,7 @@ struct ph_ray {
 #define PH_ARC_FAR_APART ((uint32_t)1 << 30)
 
 /* Edge k of a triangle runs from corner ph_next_corner[k] to ph_next_corner[k + 1]. */
-static const uint8_t ph_next_corner[4] = {1, 2, 0, 1};
+PH_TIER(few) static const uint8_t ph_next_corner[4] = {1, 2, 0, 1};
 
 static inline bool ph_inverse_is_less(struct ph_inverse a, struct ph_inverse b)
 {

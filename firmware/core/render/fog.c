@@ -76,7 +76,7 @@ static void fog_share(void *argument)
     }
 }
 
-int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog)
+PH_TIER(seldom) int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog)
 {
     if (r->list.is_closed == PH_LIST_CLOSED) {
         return PH_ERR_STATE;

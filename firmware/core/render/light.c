@@ -279,6 +279,7 @@ static inline __attribute__((always_inline)) bool add_of(const struct ph_local_l
 }
 
 /* The light of a vertex under any lights. */
+PH_TIER(mesh)
 static PH_NOINLINE uint16_t any_light(const struct ph_local_lights *local, const int16_t normal[3],
                                       const struct fx_vec3 *position)
 {
@@ -327,6 +328,7 @@ uint16_t ph_light_colour(const struct ph_local_lights *local, const int16_t *nor
                       lit_channel(base & 31, 31, diffuse[2], specular[2], limit));
 }
 
+PH_TIER(mesh)
 uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], const struct fx_vec3 *position)
 {
     if (!local->simple) {

@@ -46,6 +46,7 @@ static inline void list_line(struct ph_renderer *r, const uint16_t ends[2], cons
     }
 }
 
+PH_TIER(few)
 PH_NOINLINE void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a,
                               const struct ph_vertex *b)
 {
@@ -71,6 +72,7 @@ void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, 
     ph_list_rewind(r, &mark);
 }
 
+PH_TIER(scenery)
 uint32_t ph_list_lines(struct ph_renderer *r, const uint16_t (*edges)[2], uint32_t n, const struct ph_vertex *vertices)
 {
     const uint16_t(*edge)[2] = edges, (*const end)[2] = edges + n;
@@ -133,7 +135,7 @@ static inline void step(struct ph_line *l, int32_t n)
 }
 
 /* How many of the next pixels lie above row y. */
-static int32_t pixels_above(const struct ph_line *l, int32_t y)
+PH_TIER(scenery) static int32_t pixels_above(const struct ph_line *l, int32_t y)
 {
     int32_t n = 0;
     if (!l->wide) {
@@ -237,6 +239,7 @@ static inline bool end_codes(const struct ph_setting *s, const struct ph_vertex 
     return (d[0] ^ d[1]) >> 31 == 0;
 }
 
+PH_TIER(scenery)
 void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                    struct ph_triangle *t)
 {
@@ -298,7 +301,7 @@ static PH_NOINLINE void draw_any(const struct ph_triangle *t, int32_t skipped, i
     }
 }
 
-uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(scenery) uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *band)
 {
     const struct ph_line *const l = &t->as.line.way;
     const int32_t stride = band->stride, y0 = band->y0, rows = band->y1 - y0, slope = l->slope;
@@ -345,7 +348,7 @@ uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *ba
     return (uint32_t)count;
 }
 
-void ph_line_step_below(struct ph_triangle *t, int32_t y)
+PH_TIER(scenery) void ph_line_step_below(struct ph_triangle *t, int32_t y)
 {
     if (t->kind == PH_KIND_LINE) {
         const int32_t n = pixels_above(&t->as.line.way, y);

@@ -1,4 +1,11 @@
 /* See list.h. */
+#include "tier.h"
+#include <stdint.h>
+
+/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
+struct ph_renderer;
+PH_TIER(mesh) static inline void *ph_at(const struct ph_renderer *r, uint32_t place);
+
 #include "list.h"
 
 #include "colour.h"
@@ -19,13 +26,13 @@ _Static_assert(sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
                "see render.h");
 
 /* Whether vertices and triangles share one piece of memory: then it is that of the vertices. */
-static bool is_shared(const struct ph_renderer *r)
+PH_TIER(mesh) static bool is_shared(const struct ph_renderer *r)
 {
     return r->config.vertices == r->config.triangles;
 }
 
 /* Bytes of a piece, without the references. */
-static size_t room_of(const struct ph_renderer *r, int piece)
+PH_TIER(mesh) static size_t room_of(const struct ph_renderer *r, int piece)
 {
     const struct ph_config *c = &r->config;
     const uint8_t *const refs = (const uint8_t *)r->list.to;
@@ -36,7 +43,7 @@ static size_t room_of(const struct ph_renderer *r, int piece)
 }
 
 /* How far references may go down. */
-static void set_end(struct ph_renderer *r)
+PH_TIER(mesh) static void set_end(struct ph_renderer *r)
 {
     struct ph_list *const list = &r->list;
     if (list->is_closed != PH_LIST_OPEN) {
@@ -48,7 +55,7 @@ static void set_end(struct ph_renderer *r)
     list->end = list->top - (most < r->config.triangle_max ? most : r->config.triangle_max);
 }
 
-void ph_list_again(struct ph_renderer *r, const struct ph_draw *draw)
+PH_TIER(mesh) void ph_list_again(struct ph_renderer *r, const struct ph_draw *draw)
 {
     if (!ph_list_draw(r, draw)) {
         r->list.is_closed = PH_LIST_FULL;
@@ -66,7 +73,7 @@ void ph_list_close(struct ph_renderer *r)
     set_end(r);
 }
 
-void ph_list_begin(struct ph_renderer *r)
+PH_TIER(few) void ph_list_begin(struct ph_renderer *r)
 {
     struct ph_list *const list = &r->list;
     const struct ph_config *c = &r->config;
@@ -83,7 +90,7 @@ void ph_list_begin(struct ph_renderer *r)
 }
 
 /* Takes bytes from a piece, or PH_NONE. */
-static uint32_t take(struct ph_renderer *r, int piece, size_t bytes)
+PH_TIER(mesh) static uint32_t take(struct ph_renderer *r, int piece, size_t bytes)
 {
     const size_t all = (bytes + GRAIN - 1) & ~(size_t)(GRAIN - 1), used = r->list.used[piece], room = room_of(r, piece);
     if (used > room || all > room - used || used + all > 0x3fffffff) {
@@ -97,19 +104,19 @@ static uint32_t take(struct ph_renderer *r, int piece, size_t bytes)
 }
 
 /* Takes bytes from the first of two pieces, or else from the renderer's own. */
-static uint32_t take_any(struct ph_renderer *r, int first, int second, size_t bytes)
+PH_TIER(mesh) static uint32_t take_any(struct ph_renderer *r, int first, int second, size_t bytes)
 {
     uint32_t place = take(r, first, bytes);
     place = place == PH_NONE ? take(r, second, bytes) : place;
     return place == PH_NONE ? take(r, OWN, bytes) : place;
 }
 
-uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
+PH_TIER(mesh) uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
 {
     return take_any(r, VERTICES, TRIANGLES, n * sizeof(struct ph_vertex));
 }
 
-int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool lines)
+PH_TIER(seldom) int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool lines)
 {
     if (r->list.is_closed == PH_LIST_CLOSED) {
         return PH_ERR_STATE;
@@ -133,12 +140,12 @@ int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool li
 #define SET_UP_WORK 16 /* pixels: about a triangle's set-up, for each two rows */
 #define ROWS_MOST   4u /* at a time: a texture is divided again for each */
 
-uint16_t *ph_list_work(const struct ph_renderer *r)
+PH_TIER(seldom) uint16_t *ph_list_work(const struct ph_renderer *r)
 {
     return (uint16_t *)ph_at(r, r->rows_place + r->rows * ph_row_bytes(r)); /* behind the rows */
 }
 
-bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
+PH_TIER(seldom) bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
 {
     const size_t row = ph_row_bytes(r);
     const size_t most = room_of(r, TRIANGLES) / 16 / row;
@@ -161,6 +168,7 @@ bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
     return true;
 }
 
+PH_TIER(seldom)
 struct ph_box ph_box_of(const struct ph_renderer *r, const struct ph_draw *draw, const struct ph_ref *ref)
 {
     const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
@@ -178,7 +186,7 @@ struct ph_box ph_box_of(const struct ph_renderer *r, const struct ph_draw *draw,
                            ph_first_row(box.y1 + wide)};
 }
 
-void ph_list_put_after(struct ph_renderer *r, uint32_t first)
+PH_TIER(seldom) void ph_list_put_after(struct ph_renderer *r, uint32_t first)
 {
     uint16_t *const work = ph_list_work(r);
     for (uint32_t place = r->list.first; place != PH_NONE;) {
@@ -198,13 +206,13 @@ void ph_list_put_after(struct ph_renderer *r, uint32_t first)
     }
 }
 
-static struct ph_draw *draw_at(const struct ph_renderer *r, uint32_t place)
+PH_TIER(mesh) static struct ph_draw *draw_at(const struct ph_renderer *r, uint32_t place)
 {
     return (struct ph_draw *)ph_at(r, place);
 }
 
 /* The place of the camera in use. */
-static uint32_t place_lens(struct ph_renderer *r)
+PH_TIER(few) static uint32_t place_lens(struct ph_renderer *r)
 {
     if (r->list.lens == PH_NONE) {
         const uint32_t place = take_any(r, OWN, TRIANGLES, sizeof r->lens);
@@ -216,7 +224,7 @@ static uint32_t place_lens(struct ph_renderer *r)
     return r->list.lens;
 }
 
-bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw)
+PH_TIER(mesh) bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw)
 {
     struct ph_list *const list = &r->list;
     struct ph_draw *last = list->last == PH_NONE ? NULL : draw_at(r, list->last);
@@ -245,7 +253,7 @@ bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw)
     return true;
 }
 
-struct ph_mark ph_list_mark(struct ph_renderer *r)
+PH_TIER(few) struct ph_mark ph_list_mark(struct ph_renderer *r)
 {
     place_lens(r);
     const uint32_t *const used = r->list.used;
@@ -256,7 +264,7 @@ struct ph_mark ph_list_mark(struct ph_renderer *r)
     return mark;
 }
 
-void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
+PH_TIER(few) void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
 {
     if (ph_ref_count(r) != mark->count) {
         return;
@@ -274,7 +282,7 @@ void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
     set_end(r);
 }
 
-uint32_t ph_list_base(const struct ph_renderer *r)
+PH_TIER(mesh) uint32_t ph_list_base(const struct ph_renderer *r)
 {
     return r->list.last != PH_NONE ? draw_at(r, r->list.last)->base : PH_NONE;
 }
@@ -366,7 +374,7 @@ bool ph_list_take_back(struct ph_renderer *r, const struct ph_lent *lent, const 
 
 /* ---- triangles -------------------------------------------------------------------------------------------------- */
 
-int32_t ph_first_row_of(const struct ph_renderer *r, const struct ph_vertex *const v[3])
+PH_TIER(mesh) int32_t ph_first_row_of(const struct ph_renderer *r, const struct ph_vertex *const v[3])
 {
     const int32_t xa = v[0]->x, xb = v[1]->x, xc = v[2]->x, ya = v[0]->y, yb = v[1]->y, yc = v[2]->y;
     const int32_t left = ph_first_row(ph_min(ph_min(xa, xb), xc)), right = ph_first_row(ph_max(ph_max(xa, xb), xc));
@@ -376,7 +384,7 @@ int32_t ph_first_row_of(const struct ph_renderer *r, const struct ph_vertex *con
 }
 
 /* Lists three numbers as a triangle that begins in this row, if it begins anywhere. */
-static bool list_at(struct ph_renderer *r, unsigned a, unsigned b, unsigned c, int32_t row)
+PH_TIER(scenery) static bool list_at(struct ph_renderer *r, unsigned a, unsigned b, unsigned c, int32_t row)
 {
     if (row < 0) {
         return false;
@@ -388,6 +396,7 @@ static bool list_at(struct ph_renderer *r, unsigned a, unsigned b, unsigned c, i
     return true;
 }
 
+PH_TIER(scenery)
 bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const struct ph_vertex *const v[3],
                       bool two_sided)
 {
@@ -401,6 +410,7 @@ bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const str
 
 /* Whether corners behind `base` can have numbers from there on. Returns how many bytes to leave out before them, or -1.
  */
+PH_TIER(few)
 static int32_t gap_behind(const struct ph_renderer *r, const struct ph_draw *last, uint32_t size, uint32_t n)
 {
     if (last == NULL || last->uvs != NULL) {
@@ -411,6 +421,7 @@ static int32_t gap_behind(const struct ph_renderer *r, const struct ph_draw *las
     return (behind + gap) / size + n <= 65536 ? (int32_t)gap : -1;
 }
 
+PH_TIER(few)
 int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                         const struct ph_corner *corners, uint32_t n)
 {
@@ -445,6 +456,7 @@ int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *materia
     return ph_list_draw(r, &draw) ? (int32_t)number : -1;
 }
 
+PH_TIER(few)
 bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                  const struct ph_corner *corners, uint32_t n)
 {

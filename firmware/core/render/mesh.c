@@ -49,7 +49,7 @@ static inline uint16_t light_of(const struct part_context *c, uint32_t i)
 }
 
 /* Lights the corners of a triangle, unless they are lit already. ph_cull may have marked them only. */
-static void light_corners(const struct part_context *c, const uint16_t index[3])
+PH_TIER(scenery) static void light_corners(const struct part_context *c, const uint16_t index[3])
 {
     for (int i = 0; c->lit && i < 3; i++) {
         struct ph_vertex *const corner = &c->vertices[index[i]];
@@ -63,7 +63,7 @@ static void light_corners(const struct part_context *c, const uint16_t index[3])
     }
 }
 
-static struct ph_clip_vertex clip_vertex(const struct part_context *c, uint32_t index)
+PH_TIER(few) static struct ph_clip_vertex clip_vertex(const struct part_context *c, uint32_t index)
 {
     struct ph_clip_vertex v = ph_clip_place(&c->r->lens, c->matrix, &c->mesh->positions[index]);
     v.light = ph_light_of(&c->vertices[index]);
@@ -86,7 +86,7 @@ static PH_NOINLINE void take_colours(struct ph_clip_vertex in[3], bool flat)
     in[0].light = (in[0].light >> 11) << 11 | 1 << 10;
 }
 
-static PH_NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3])
+PH_TIER(few) static PH_NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3])
 {
     struct ph_clip_vertex in[3];
     light_corners(c, index);
@@ -230,6 +230,7 @@ struct cull_share {
     bool must_clip; /* it met a triangle that must be clipped, and stopped */
 };
 
+PH_TIER(mesh)
 static struct ph_cull_run cull_run(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
     const struct ph_list *const list = &c->r->list;
@@ -244,7 +245,7 @@ static struct ph_cull_run cull_run(const struct part_context *c, const uint16_t 
 }
 
 /* Lists a triangle at which ph_cull stopped, in a list of its own. False if it must be clipped. */
-static bool list_stopped(const struct part_context *c, struct ph_cull_run *run)
+PH_TIER(figure) static bool list_stopped(const struct part_context *c, struct ph_cull_run *run)
 {
     const uint16_t *const index = run->index[-1];
     const struct ph_vertex *const v[3] = {&c->vertices[index[0]], &c->vertices[index[1]], &c->vertices[index[2]]};
@@ -261,7 +262,7 @@ static bool list_stopped(const struct part_context *c, struct ph_cull_run *run)
     return true;
 }
 
-static void cull_share(void *argument)
+PH_TIER(figure) static void cull_share(void *argument)
 {
     struct cull_share *const s = argument;
     while (!s->must_clip && ph_cull(&s->run)) {
@@ -271,6 +272,7 @@ static void cull_share(void *argument)
 
 /* Lists triangles on two cores, each into its own half of the room. False if one must be clipped: then nothing is
  * listed. */
+PH_TIER(mesh)
 static bool cull_both(const struct part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen)
 {
     struct ph_list *const list = &c->r->list;
@@ -291,6 +293,7 @@ static bool cull_both(const struct part_context *c, const uint16_t (*index)[3], 
 }
 
 /* The same with ph_cull, which lists most of the triangles. */
+PH_TIER(mesh)
 static uint32_t cull_alone(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
     struct ph_list *const list = &c->r->list;
@@ -303,6 +306,7 @@ static uint32_t cull_alone(const struct part_context *c, const uint16_t (*index)
     return seen;
 }
 
+PH_TIER(mesh)
 static uint32_t draw_facing(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
     const struct ph_list *const list = &c->r->list;
@@ -328,7 +332,7 @@ struct light_share {
 };
 
 /* Lights the vertices that ph_cull has marked. */
-static void light_share(void *argument)
+PH_TIER(mesh) static void light_share(void *argument)
 {
     const struct light_share *const s = argument;
     const struct part_context *const c = s->c;
@@ -352,7 +356,7 @@ static PH_NOINLINE void light_marked(const struct part_context *c)
     }
 }
 
-static void draw_triangles(struct part_context *c, const struct ph_part *part)
+PH_TIER(mesh) static void draw_triangles(struct part_context *c, const struct ph_part *part)
 {
     const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
     const uint32_t seen = (c->draw.kind & PH_DRAW_ONE_SIDE) != 0 ? draw_sides(c, index, end)
@@ -365,7 +369,7 @@ static void draw_triangles(struct part_context *c, const struct ph_part *part)
 }
 
 /* Draws each edge of the mesh once, as a line. */
-static PH_NOINLINE void draw_edges(const struct part_context *c)
+PH_TIER(few) static PH_NOINLINE void draw_edges(const struct part_context *c)
 {
     const uint16_t(*edge)[2] = c->mesh->edges, (*const end)[2] = edge + c->mesh->edge_count;
     for (;; edge++) {
@@ -460,7 +464,7 @@ static PH_NOINLINE bool light_part(struct part_context *c, const struct ph_part 
     return c->mixed || copy_vertices(c);
 }
 
-static void draw_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
+PH_TIER(mesh) static void draw_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
 {
     struct ph_renderer *r = c->r;
     c->material = &c->mesh->materials[part->material];
@@ -495,7 +499,7 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
     }
 }
 
-int ph_mesh_draw(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
+PH_TIER(mesh) int ph_mesh_draw(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
     const struct ph_mark mark = ph_list_mark(r);
     const uint32_t n = mesh->vertex_count, place = n - 1 < r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;

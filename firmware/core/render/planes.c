@@ -4,6 +4,12 @@
  *
  * Short sides take 32 bits and a reciprocal of 16; all others take products of 64 bits.
  */
+#include "tier.h"
+#include <stdint.h>
+
+/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
+PH_TIER(scenery) static inline int fx_clz32(uint32_t v);
+
 #include "planes.h"
 
 #include "colour.h"
@@ -28,7 +34,7 @@ struct plane_base {
 };
 
 /* Bits of |v|. */
-static int bits_of(int64_t v)
+PH_TIER(scenery) static int bits_of(int64_t v)
 {
     const uint64_t m = v < 0 ? 0u - (uint64_t)v : (uint64_t)v;
     const uint32_t high = (uint32_t)(m >> 32);
@@ -36,7 +42,7 @@ static int bits_of(int64_t v)
 }
 
 /* The reciprocal for products of 64 bits. */
-static void wide_base(struct plane_base *s)
+PH_TIER(scenery) static void wide_base(struct plane_base *s)
 {
     const int64_t area = ph_wide_area(s->sides);
     const int excess = ph_max(bits_of(area) - 32, 0);
@@ -45,6 +51,7 @@ static void wide_base(struct plane_base *s)
 }
 
 /* The base of the planes; `first` is the first corner. */
+PH_TIER(scenery)
 static inline void plane_base(struct plane_base *s, const struct ph_vertex *first, const struct ph_sides *sides)
 {
     const int32_t x = 128 - first->x, y = 128 - first->y;
@@ -64,7 +71,7 @@ static inline void plane_base(struct plane_base *s, const struct ph_vertex *firs
 }
 
 /* The plane with gradients gx, gy through `value` at the first corner, but for the last 8 bits of the fraction. */
-static struct ph_plane hang_plane(const struct plane_base *s, uint32_t value, int32_t gx, int32_t gy)
+PH_TIER(scenery) static struct ph_plane hang_plane(const struct plane_base *s, uint32_t value, int32_t gx, int32_t gy)
 {
     const uint32_t whole = (uint32_t)s->x * (uint32_t)gx + (uint32_t)s->y * (uint32_t)gy;
     const uint32_t part = (uint32_t)(gx >> 8) * (uint32_t)s->part_x + (uint32_t)(gy >> 8) * (uint32_t)s->part_y;
@@ -76,7 +83,7 @@ struct pixel_gradient {
 };
 
 /* d n, where |d| is below 2^32: one product of 32 bits and what carries. */
-static inline int64_t times_wide(int64_t d, int32_t n)
+PH_TIER(scenery) static inline int64_t times_wide(int64_t d, int32_t n)
 {
     const uint32_t low = (uint32_t)d, carry = (uint32_t)(d >> 32) + (low >> 31); /* -1, 0 or 1 */
     return fx_mul_wide((int32_t)low, n) + (int64_t)((uint64_t)(carry * (uint32_t)n) << 32);
@@ -106,8 +113,9 @@ static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t
 }
 
 /* The plane with that gradient through `value` at the first corner. */
-static PH_NOINLINE int wide_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int64_t d1,
-                                  int64_t d2)
+PH_TIER(scenery)
+static PH_NOINLINE
+    int wide_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2)
 {
     int halved;
     const struct pixel_gradient g = wide_gradient(s, d1, d2, &halved);
@@ -125,6 +133,7 @@ static inline int32_t times_q16(int32_t n, int32_t r)
  * The same for short sides, in 32 bits. d1, d2 (below 2^15) are the differences over 2^drop. On entry out->base is the
  * value at the first corner.
  */
+PH_TIER(scenery)
 static FX_APART int short_plane(struct ph_plane *out, const struct plane_base *s, int32_t d1, int32_t d2, int drop)
 {
     const struct ph_sides *const t = s->sides;
@@ -152,6 +161,7 @@ static inline int scaled_plane(struct ph_plane *out, const struct plane_base *s,
  * The plane through three unsigned values. A gradient of 2^31 per pixel or more is halved until it fits, so that it
  * does not wrap: the triangle becomes flatter. Returns how often.
  */
+PH_TIER(scenery)
 static PH_NOINLINE int plane_through(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
 {
     /* If the halves differ by less than 2^29, the differences are below 2^30. */
@@ -163,7 +173,7 @@ static PH_NOINLINE int plane_through(struct ph_plane *out, const struct plane_ba
 }
 
 /* The plane through the light of the corners, in 2^-16. */
-static void plane_light(struct ph_plane *out, const struct plane_base *s, const int32_t light[3])
+PH_TIER(scenery) static void plane_light(struct ph_plane *out, const struct plane_base *s, const int32_t light[3])
 {
     const int32_t d1 = light[1] - light[0], d2 = light[2] - light[0];
     const int drop = ((uint32_t)((d1 >> 15) + 1) | (uint32_t)((d2 >> 15) + 1)) > 1;
@@ -176,7 +186,7 @@ static void plane_light(struct ph_plane *out, const struct plane_base *s, const 
 }
 
 /* plane_through to its last bit, for formats that keep 24 bits of the values. */
-static int plane_exact(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
+PH_TIER(scenery) static int plane_exact(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
 {
     int halved;
     const struct pixel_gradient g = wide_gradient(s, (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], &halved);
@@ -187,28 +197,28 @@ static int plane_exact(struct ph_plane *out, const struct plane_base *s, const u
 }
 
 /* The exponent of the nearest corner. */
-static int least_exponent(const struct ph_vertex *const v[3])
+PH_TIER(scenery) static int least_exponent(const struct ph_vertex *const v[3])
 {
     const int a = v[0]->s < v[1]->s ? v[0]->s : v[1]->s;
     return v[2]->s < a ? v[2]->s : a;
 }
 
 /* N/w of a corner in units of 2^-(28 + least), with the exponent `least` of the nearest corner: below 2^29. */
-static uint32_t corner_over_w(const struct ph_vertex *v, int least)
+PH_TIER(scenery) static uint32_t corner_over_w(const struct ph_vertex *v, int least)
 {
     const int down = v->s - least + 2;
     return down < 32 ? v->q >> down : 0;
 }
 
 /* Twice the extent of a triangle along an axis. */
-static inline uint32_t twice_extent(int32_t d1, int32_t d2)
+PH_TIER(scenery) static inline uint32_t twice_extent(int32_t d1, int32_t d2)
 {
     return fx_magnitude(d1) + fx_magnitude(d2) + fx_magnitude(d2 - d1);
 }
 
 /* How far a centre may lie outside the corners by the rounding of edges, 2^-24 px: 2^-16 px a row, and on short sides
  * 2^-15 px a column. */
-static uint32_t reach(const struct ph_sides *s)
+PH_TIER(scenery) static uint32_t reach(const struct ph_sides *s)
 {
     const uint32_t rows = twice_extent(s->dy1, s->dy2) >> 1;
     return s->is_short ? rows + twice_extent(s->dx1, s->dx2) : rows;
@@ -216,7 +226,7 @@ static uint32_t reach(const struct ph_sides *s)
 
 /* Whether a centre outside the corners could be more than 2^(down - 24) beyond their range: for 16.16 codes see STEEP.
  */
-static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int down)
+PH_TIER(scenery) static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int down)
 {
     const uint32_t gx = ph_without_sign((int32_t)plane->gx);
     const int most = s->is_short ? 17 : 24; /* bits of reach */
@@ -263,21 +273,21 @@ struct octaves {
     int near, far;
 };
 
-static struct octaves octaves_of(const uint32_t d[3], int block)
+PH_TIER(scenery) static struct octaves octaves_of(const uint32_t d[3], int block)
 {
     const int low = ph_depth_lowest(ph_block_exponent(block), ph_block_down(block));
     const int a = ph_depth_octave(d[0], low), b = ph_depth_octave(d[1], low), c = ph_depth_octave(d[2], low);
     return (struct octaves){ph_min(ph_min(a, b), c), ph_max(ph_max(a, b), c)};
 }
 
-bool ph_small_plane_does(const uint32_t d[3], int block)
+PH_TIER(scenery) bool ph_small_plane_does(const uint32_t d[3], int block)
 {
     const struct octaves at = octaves_of(d, block);
     return at.far - at.near <= 1 && at.far - ph_block_down(block) <= SMALL_UP;
 }
 
 /* The rest of a float small triangle's plane: d and its gradients are multiples of 2^down, so no shift loses a bit. */
-static void bend_plane(struct ph_triangle *t, int octave, uint32_t middle)
+PH_TIER(scenery) static void bend_plane(struct ph_triangle *t, int octave, uint32_t middle)
 {
     struct ph_small_triangle *const small = &t->as.small.rows;
     const int down = ph_block_down(t->block), up = octave - down;
@@ -292,7 +302,7 @@ static void bend_plane(struct ph_triangle *t, int octave, uint32_t middle)
     t->block = PH_BLOCK_NONE;
 }
 
-void ph_set_knee(struct ph_triangle *t, const uint32_t d[3])
+PH_TIER(scenery) void ph_set_knee(struct ph_triangle *t, const uint32_t d[3])
 {
     const struct ph_small_triangle *const small = &t->as.small.rows;
     const struct octaves at = octaves_of(d, t->block);
@@ -335,7 +345,7 @@ PH_NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph
  * gradient is lost when it is shifted to the slope of an octave. Over many octaves that would cost the far end its
  * precision: such a plane stays as it is.
  */
-static void round_depth(struct ph_plane *plane, int bits)
+PH_TIER(scenery) static void round_depth(struct ph_plane *plane, int bits)
 {
     const uint32_t half = (1u << bits) >> 1, mask = UINT32_MAX << bits;
     plane->base = (plane->base + half) & mask;
@@ -344,6 +354,7 @@ static void round_depth(struct ph_plane *plane, int bits)
 }
 
 /* A float format. False if 32 bits do not do. */
+PH_TIER(scenery)
 static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane_base *s,
                                     const struct ph_vertex *const v[3], uint32_t bias, struct ph_plane *depth,
                                     uint8_t *block)
@@ -381,6 +392,7 @@ static PH_NOINLINE bool setup_linear(const struct ph_renderer *r, const struct p
 }
 
 /* Depth and block. False if 32 bits do not do. */
+PH_TIER(scenery)
 static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct plane_base *s,
                                     const struct ph_material *material, const struct ph_vertex *const v[3],
                                     struct ph_depth *depth, uint8_t *block)
@@ -402,6 +414,7 @@ static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct pl
 }
 
 /* u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */
+PH_TIER(scenery)
 static int texture_range(const struct ph_texture *texture, const fx_t *const uv[3], int axis, uint32_t out[3])
 {
     const bool repeats = texture->wrap == PH_WRAP_REPEAT;
@@ -417,9 +430,10 @@ static int texture_range(const struct ph_texture *texture, const fx_t *const uv[
 }
 
 /* The planes of u/w, v/w and 1/w, once t->block is set. uv: those of each corner; NULL counts as 0. */
-static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct plane_base *s,
-                                      const struct ph_vertex *const v[3], const fx_t *const corner_uv[3],
-                                      struct ph_triangle *t)
+PH_TIER(scenery)
+static PH_NOINLINE
+    void setup_texture(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
+                       const fx_t *const corner_uv[3], struct ph_triangle *t)
 {
     static const fx_t origin[2];
     static const fx_t *const origins[3] = {origin, origin, origin};
@@ -465,12 +479,13 @@ static PH_NOINLINE void setup_shades(const struct plane_base *s, const struct ph
 }
 
 /* The colour of a light. */
-static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
+PH_TIER(scenery) static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
 {
     return material->ramp != NULL ? material->ramp[light >> 9] : material->colour;
 }
 
 /* plane_base for what is rare. */
+PH_TIER(scenery)
 static PH_NOINLINE void rare_base(struct plane_base *base, const struct ph_vertex *first, const struct ph_sides *sides)
 {
     plane_base(base, first, sides);
@@ -496,6 +511,7 @@ void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], c
 }
 
 /* The light, the texture, or one colour. */
+PH_TIER(scenery)
 static void setup_shading(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
                           const fx_t *const uv[3], struct ph_triangle *t)
 {
@@ -532,6 +548,7 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
     t->as.large.of.colour = material->colour;
 }
 
+PH_TIER(scenery)
 bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                    const fx_t *const uv[3], const struct ph_sides *sides)
 {
@@ -542,6 +559,7 @@ bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const str
     return fits;
 }
 
+PH_TIER(scenery)
 bool ph_set_depth(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                   const struct ph_sides *sides, struct ph_depth *depth, uint8_t *block)
 {
@@ -550,6 +568,7 @@ bool ph_set_depth(const struct ph_renderer *r, const struct ph_material *materia
     return setup_depth(r, &base, material, v, depth, block);
 }
 
+PH_TIER(scenery)
 bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
                     const uint32_t d[3])
 {

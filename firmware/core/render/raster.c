@@ -47,14 +47,15 @@ static inline void skip_rows_of(struct ph_small_triangle *r, uint32_t n, uint32_
     r->lower_rows = 0;
 }
 
-static FX_APART void skip_rows(struct ph_small_triangle *r, uint32_t n)
+PH_TIER(loop) static FX_APART void skip_rows(struct ph_small_triangle *r, uint32_t n)
 {
     skip_rows_of(r, n, r->upper_rows, r->lower_rows);
 }
 
 /* Cuts a triangle down to its rows in the band. Returns the place of the first of them. */
-static FX_APART struct ph_place cut_rows(const struct ph_triangle *t, const struct ph_band *band,
-                                         struct ph_small_triangle *r)
+PH_TIER(loop)
+static FX_APART struct ph_place
+    cut_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_small_triangle *r)
 {
     int32_t y = t->y_top - band->y0;
     if (y < 0) {
@@ -89,7 +90,7 @@ static PH_NOINLINE void mend_light(struct ph_small_triangle *r, uint32_t n)
 }
 
 /* Draws a small triangle that the band cuts, or that has a knee. */
-static PH_NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(loop) static PH_NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = cut_rows(t, band, &r);
@@ -97,7 +98,7 @@ static PH_NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct p
 }
 
 /* Draws a small triangle that crosses octaves. */
-static PH_NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(scenery) static PH_NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = cut_rows(t, band, &r);
@@ -149,7 +150,7 @@ static PH_NOINLINE uint32_t draw_wide(const struct ph_triangle *t, const struct 
 }
 
 /* Draws a small textured triangle that crosses octaves. */
-static PH_NOINLINE uint32_t draw_split_texture(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(few) static PH_NOINLINE uint32_t draw_split_texture(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = cut_rows(t, band, &r);
@@ -169,7 +170,7 @@ static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_b
 }
 
 /* Of a triangle that is hidden the pixels are counted only. */
-static PH_NOINLINE uint32_t draw_unless_hidden(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(loop) static PH_NOINLINE uint32_t draw_unless_hidden(const struct ph_triangle *t, const struct ph_band *band)
 {
     const uint32_t hidden = ph_coarse_hidden(t, band);
     if (hidden > 0) {
@@ -182,7 +183,7 @@ static PH_NOINLINE uint32_t draw_unless_hidden(const struct ph_triangle *t, cons
     return count;
 }
 
-uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->kind == PH_KIND_SMALL) {
         return draw_small(t, band);
@@ -223,7 +224,7 @@ static inline bool can_step(const struct ph_triangle *t)
 
 /* Steps a small triangle or a line down to row y1, where the next band begins; y_bottom is below y1. A triangle that
  * crosses octaves stays as it is, since its depth is rounded at its first row. */
-void ph_step_below(struct ph_triangle *t, int32_t y1)
+PH_TIER(loop) void ph_step_below(struct ph_triangle *t, int32_t y1)
 {
     if (t->kind >= PH_KIND_LINE) {
         ph_line_step_below(t, y1);
@@ -241,7 +242,7 @@ void ph_step_below(struct ph_triangle *t, int32_t y1)
 }
 
 /* ph_draw_above for what is drawn as elsewhere, and then stepped down. */
-static PH_NOINLINE uint32_t draw_then_step(struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(loop) static PH_NOINLINE uint32_t draw_then_step(struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->kind == PH_KIND_SMALL_FINE) {
         return draw_fine_above(t, band);
@@ -251,7 +252,7 @@ static PH_NOINLINE uint32_t draw_then_step(struct ph_triangle *t, const struct p
     return count;
 }
 
-uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(scenery) uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
 {
     if (!can_step(t) || t->y_top < band->y0) {
         return draw_then_step(t, band);

@@ -6,6 +6,7 @@
 #include "raster_large.h"
 
 /* Draws the rows of a strip one by one. */
+PH_TIER(seldom)
 static uint32_t draw_exact_rows(const struct ph_triangle *t, const struct ph_band *band, const struct ph_band *rows,
                                 struct ph_triangle *run)
 {
@@ -26,7 +27,7 @@ static uint32_t draw_exact_rows(const struct ph_triangle *t, const struct ph_ban
 }
 
 /* Draws a triangle whose depth takes 64 bits, strip by strip. Where strips begin does not depend on the band. */
-uint32_t ph_draw_exact(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(seldom) uint32_t ph_draw_exact(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_triangle run = *t;
     struct ph_band rows = {.y0 = band->y0 & ~(PH_EXACT_ROWS - 1)};

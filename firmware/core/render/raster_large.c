@@ -5,8 +5,9 @@
 #include "raster_rows.h"
 #include "raster_walk.h"
 #include "texture.h"
+#include "tier.h"
 
-uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(loop) uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band)
 {
     const bool gouraud16 = t->kind == PH_KIND_GOURAUD && t->block != PH_BLOCK_LINEAR && !band->depth24;
     return t->kind == PH_KIND_TEXTURE   ? ph_draw_textured(t, band)

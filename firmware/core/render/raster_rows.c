@@ -9,7 +9,7 @@
 #include "span.h"
 
 /* Steps n rows down. At most all of the upper rows are passed; then the lower edge takes over. */
-static void step_rows(struct ph_small_triangle *r, uint32_t n)
+PH_TIER(scenery) static void step_rows(struct ph_small_triangle *r, uint32_t n)
 {
     r->left += n * r->left_dx;
     r->right += n * r->right_dx;
@@ -173,8 +173,9 @@ uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangl
 }
 
 /* Draws so many rows of a Gouraud triangle that is not small; r stands at the first of them. */
-static uint32_t draw_wide_rows(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
-                               uint32_t rows)
+PH_TIER(scenery)
+static uint32_t
+    draw_wide_rows(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at, uint32_t rows)
 {
     uint32_t count = 0;
     while (rows > 0) {
@@ -197,7 +198,7 @@ static uint32_t draw_wide_rows(const struct ph_triangle *t, struct ph_small_tria
 }
 
 /* Draws a Gouraud triangle that is not small, with depth of 16 bits. */
-uint32_t ph_draw_wide(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(scenery) uint32_t ph_draw_wide(const struct ph_triangle *t, const struct ph_band *band)
 {
     const struct ph_plane *const depth = &t->as.large.depth.as.plane, *const light = &t->as.large.of.light;
     struct ph_small_triangle r;

@@ -56,6 +56,7 @@ static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
 }
 
 /* Draws rows of a half. Returns the number of pixels. */
+PH_TIER(figure)
 static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
     const uint32_t stride = band->stride;
@@ -97,6 +98,7 @@ static inline bool take_code(const struct ph_triangle *t, struct ph_octave *octa
 }
 
 /* Draws rows of a half in one colour, with depth codes of 16 bits. */
+PH_TIER(figure)
 static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
     const uint32_t stride = band->stride, start = (uint32_t)(in.y - band->y0) * stride;
@@ -124,7 +126,7 @@ static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band
     return count;
 }
 
-uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(figure) uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band)
 {
     const bool flat = t->block != PH_BLOCK_LINEAR && !band->depth24 && t->kind == PH_KIND_FLAT;
     uint32_t count = 0;

@@ -3,6 +3,12 @@
  *
  * Most triangles of a mesh are small Gouraud ones: ph_setup_small of kernels.h does these. All others take setup_any.
  */
+#include "tier.h"
+#include <stdint.h>
+
+/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
+PH_TIER(mesh) static inline int fx_clz32(uint32_t v);
+
 #include "setup.h"
 
 #include "edge.h"
@@ -18,8 +24,9 @@
 
 /* The edge from a down to b at row y0, which it reaches, in 64 bits. A step down a row has 16 bits behind the point.
  * From a corner far above the picture thousands of them would lose up to 1/16 px, so y0 is reached at once. */
-static PH_NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0,
-                                  struct ph_edge *edge)
+PH_TIER(scenery)
+static PH_NOINLINE
+    void wide_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
 {
     int shift;
     const int32_t reciprocal = ph_wide_reciprocal((uint32_t)(b->y - a->y), &shift);
@@ -30,6 +37,7 @@ static PH_NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_ver
 }
 
 /* The edge from a down to b at row y0. */
+PH_TIER(scenery)
 static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;
@@ -41,6 +49,7 @@ static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_verte
 }
 
 /* Rows and edges. */
+PH_TIER(scenery)
 static FX_APART void setup_outline(int32_t height, const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
     const struct ph_outline o = ph_outline(v);
@@ -61,9 +70,10 @@ static FX_APART void setup_outline(int32_t height, const struct ph_vertex *const
 }
 
 /* Edges and planes of any triangle. False if 32 bits do not do for its depth. */
-static PH_NOINLINE bool setup_any(const struct ph_renderer *r, const struct ph_material *material,
-                                  const struct ph_vertex *const v[3], const fx_t *const uv[3],
-                                  const struct ph_sides *sides, struct ph_triangle *t)
+PH_TIER(scenery)
+static PH_NOINLINE
+    bool setup_any(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                   const fx_t *const uv[3], const struct ph_sides *sides, struct ph_triangle *t)
 {
     setup_outline(r->config.height, v, t);
     t->material = material;
@@ -71,7 +81,7 @@ static PH_NOINLINE bool setup_any(const struct ph_renderer *r, const struct ph_m
 }
 
 /* Whether all three coordinates keep a pixel away from the borders. */
-static bool is_between(int32_t a, int32_t b, int32_t c, int32_t size)
+PH_TIER(mesh) static bool is_between(int32_t a, int32_t b, int32_t c, int32_t size)
 {
     return ph_min(ph_min(a, b), c) >= 256 && ph_max(ph_max(a, b), c) <= (size - 1) * 256;
 }
@@ -94,8 +104,9 @@ static inline bool is_narrow(uint32_t dx1, uint32_t dx2)
 /* What a triangle that is not small is drawn as, because it has short sides and keeps off the borders. */
 enum reach { FAR, WIDE, NARROW }; /* narrow: as narrow as a small one */
 
-static PH_NOINLINE enum reach reach_of(const struct ph_setting *s, const struct ph_sides *sides,
-                                       const struct ph_vertex *const v[3])
+PH_TIER(few)
+static PH_NOINLINE enum reach
+    reach_of(const struct ph_setting *s, const struct ph_sides *sides, const struct ph_vertex *const v[3])
 {
     const uint32_t dx1 = (uint32_t)sides->dx1, dx2 = (uint32_t)sides->dx2, dy = (uint32_t)(sides->dy2 - sides->dy1);
     if (!s->takes_narrow || !sides->is_short ||
@@ -108,6 +119,7 @@ static PH_NOINLINE enum reach reach_of(const struct ph_setting *s, const struct 
 }
 
 /* Depth of the corners in the format of small triangles, and the block exponent. False if two are 2^31 apart. */
+PH_TIER(mesh)
 static inline bool small_depths(const struct ph_setting *s, const struct ph_vertex *const v[3], uint32_t d[3],
                                 uint8_t *block)
 {
@@ -126,7 +138,7 @@ static inline bool small_depths(const struct ph_setting *s, const struct ph_vert
 }
 
 /* Whether rows between two edges, which are given at the first of them, lie between all pixel centres. */
-static bool rows_are_empty(struct ph_edge left, struct ph_edge right, int32_t rows)
+PH_TIER(mesh) static bool rows_are_empty(struct ph_edge left, struct ph_edge right, int32_t rows)
 {
     for (; rows > 0; rows--) {
         if (left.x >> 16 < right.x >> 16) {
@@ -148,7 +160,7 @@ static bool is_empty(const struct ph_triangle *t)
                         : rows_are_empty(l->upper, l->long_edge, upper) && rows_are_empty(l->lower, below, lower);
 }
 
-static bool small_is_empty(const struct ph_small_triangle *s)
+PH_TIER(mesh) static bool small_is_empty(const struct ph_small_triangle *s)
 {
     const struct ph_edge left = {(int32_t)s->left, (int32_t)s->left_dx};
     const struct ph_edge right = {(int32_t)s->right, (int32_t)s->right_dx};
@@ -158,9 +170,10 @@ static bool small_is_empty(const struct ph_small_triangle *s)
 }
 
 /* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits do not do. */
-static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
-                                     const struct ph_vertex *const v[3], const struct ph_sides *sides,
-                                     const uint32_t d[3], enum ph_small_setup done)
+PH_TIER(mesh)
+static PH_NOINLINE
+    bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                      const struct ph_sides *sides, const uint32_t d[3], enum ph_small_setup done)
 {
     struct ph_small_triangle *const small = &t->as.small.rows;
     struct ph_depth any;
@@ -182,6 +195,7 @@ static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rend
 
 /* Depth is the same in all shadings: that of a triangle with a texture or colours is what a small one of another
  * shading has. False if 32 bits do not do. */
+PH_TIER(figure)
 static PH_NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_setting *s,
                                          const struct ph_vertex *const v[3], const struct ph_sides *sides, bool fits)
 {
@@ -240,7 +254,7 @@ static PH_NOINLINE void widen_usual(struct ph_usual *usual)
     }
 }
 
-void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw)
+PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw)
 {
     const struct ph_material *const material = draw->material;
     const unsigned shading = material->shading;
@@ -333,7 +347,7 @@ static PH_NOINLINE void set_samples_light(const struct ph_setting *s, const stru
     }
 }
 
-void ph_set_usual_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+PH_TIER(mesh) void ph_set_usual_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
     if (s->fine) {
         set_samples_light(s, ref, t);
@@ -351,6 +365,7 @@ static inline void set_texture_knee(struct ph_triangle *t, const uint32_t d[3])
 
 /* Sets up a triangle that faces the viewer and covers a pixel centre. uv: those of each corner; NULL if the material
  * has no texture. done: PH_SMALL_STEEP if ph_setup_usual has set all but depth. */
+PH_TIER(mesh)
 static void setup_front(const struct ph_setting *s, const struct ph_vertex *const v[3], const fx_t *const uv[3],
                         const struct ph_sides *sides, enum ph_small_setup done, struct ph_triangle *t)
 {
@@ -423,6 +438,7 @@ static PH_NOINLINE void setup_samples(const struct ph_setting *s, const struct p
     ph_setup_line(s, &a, &b, t);
 }
 
+PH_TIER(mesh)
 static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
                                        struct ph_triangle *t)
 {
@@ -452,6 +468,7 @@ static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct 
     }
 }
 
+PH_TIER(mesh)
 void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
                       struct ph_triangle *t)
 {

@@ -2,7 +2,7 @@
 #include "colour.h"
 #include "list.h"
 
-size_t ph_pixel_bytes(unsigned order)
+PH_TIER(mesh) size_t ph_pixel_bytes(unsigned order)
 {
     return order == PH_PIXELS_RGB888 ? 3 : 2;
 }
@@ -13,6 +13,7 @@ struct changed {
 };
 
 /* The smallest rectangle that holds all changes against the picture before, which becomes this one. Height 0: none. */
+PH_TIER(mesh)
 static struct changed find_changes(const uint16_t *pixels, uint16_t *before, uint32_t width, uint32_t lines)
 {
     uint32_t left = width, right = 0, top = lines, bottom = 0;
@@ -31,7 +32,7 @@ static struct changed find_changes(const uint16_t *pixels, uint16_t *before, uin
 }
 
 /* Moves a rectangle to the beginning of the band, row behind row. */
-static void gather(uint16_t *pixels, uint32_t width, const struct changed *c)
+PH_TIER(mesh) static void gather(uint16_t *pixels, uint32_t width, const struct changed *c)
 {
     const uint16_t *from = pixels + (size_t)c->y * width + c->x;
     for (uint32_t y = 0; y < c->height; y++, from += width) {
@@ -42,7 +43,7 @@ static void gather(uint16_t *pixels, uint32_t width, const struct changed *c)
 }
 
 /* Turns n pixels from wire order into the order that is asked for, in place. */
-static void put_in_order(void *pixels, uint32_t n, unsigned order)
+PH_TIER(mesh) static void put_in_order(void *pixels, uint32_t n, unsigned order)
 {
     uint16_t *const p = pixels;
     uint8_t *const rgb = pixels;
@@ -60,7 +61,7 @@ static void put_in_order(void *pixels, uint32_t n, unsigned order)
     }
 }
 
-int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
+PH_TIER(mesh) int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
 {
     const struct ph_config *const config = &r->config;
     uint16_t *const pixels = config->pixels;

@@ -86,8 +86,9 @@ static FX_APART void begin_smooth(struct ph_texel_run *r, const struct ph_textur
 }
 
 /* See small_texels.h. Light without a filter is the usual case of what ph_texture_small cannot draw. */
-PH_NOINLINE void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y,
-                                       uint32_t stride_bytes)
+PH_TIER(figure)
+PH_NOINLINE
+    void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
 {
     const struct ph_texture *texture = t->material->texture;
     const struct ph_small_map *const at = &t->as.small.of.map;
@@ -180,17 +181,17 @@ static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
     return r->count;
 }
 
-static PH_NOINLINE uint32_t draw_unusual(struct ph_small_texels *s)
+PH_TIER(figure) static PH_NOINLINE uint32_t draw_unusual(struct ph_small_texels *s)
 {
     return s->kind.clamp ? draw_clamped(s) : draw_special(&s->run);
 }
 
-static uint32_t draw_run_of(struct ph_small_texels *s)
+PH_TIER(scenery) static uint32_t draw_run_of(struct ph_small_texels *s)
 {
     return s->usual ? ph_texture_small(&s->run) : draw_unusual(s);
 }
 
-uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(mesh) uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
 {
     const struct ph_small_triangle *const s = &t->as.small.rows;
     const int32_t y = t->y_top > band->y0 ? t->y_top : band->y0;
@@ -235,6 +236,7 @@ uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band 
     return usual ? ph_texture_small(r) : draw_unusual(&texels);
 }
 
+PH_TIER(scenery)
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
                               uint16_t *pixels)
 {
@@ -256,6 +258,7 @@ uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_t
     return draw_run_of(s);
 }
 
+PH_TIER(scenery)
 void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece *piece, uint16_t *depth,
                            uint16_t *pixels)
 {

@@ -173,6 +173,7 @@ struct ph_octave {
 };
 
 /* The octave in which d lies; its size is 0 if d has wrapped. Without octaves to cross it is the whole range. */
+PH_TIER(scenery)
 static inline void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d, uint32_t gd)
 {
     if (t->block >= PH_BLOCK_LINEAR) {

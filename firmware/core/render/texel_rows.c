@@ -8,7 +8,7 @@
 #include "span.h"
 #include "texel_mix.h"
 
-static int32_t clamp_texel(int32_t texel, uint32_t mask)
+PH_TIER(scenery) static int32_t clamp_texel(int32_t texel, uint32_t mask)
 {
     return texel < 0 ? 0 : (uint32_t)texel > mask ? (int32_t)mask : texel;
 }
@@ -40,7 +40,7 @@ static FX_APART uint16_t sample_smooth(const struct ph_tile_kind *k, uint32_t u,
 }
 
 /* A texel in light of 0 .. 64 32nds. */
-static FX_APART uint16_t shade(uint16_t texel, uint32_t light)
+PH_TIER(scenery) static FX_APART uint16_t shade(uint16_t texel, uint32_t light)
 {
     const uint32_t c = ph_mix_spread(texel);
     return light <= 32 ? ph_mix_folded(ph_mix_lit(c, light))
@@ -90,6 +90,7 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
 }
 
 /* Apart, because it runs from RAM where flash is slow. */
+PH_TIER(scenery)
 static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph_texel_rows *r, uint32_t i, uint32_t n,
                                    struct ph_piece piece)
 {
@@ -101,7 +102,7 @@ static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph
 }
 
 /* Steps to the next row. */
-static void row_down(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+PH_TIER(scenery) static void row_down(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
     r->left += r->left_dx;
     r->right += r->right_dx;
@@ -115,6 +116,7 @@ static void row_down(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 }
 
 /* Draws the n columns from `first` on that lie in the tile, along one piece of the depth. */
+PH_TIER(few)
 static void draw_piece(const struct ph_tile_kind *k, struct ph_texel_rows *r, int32_t first, int32_t n,
                        struct ph_piece piece)
 {
@@ -127,7 +129,7 @@ static void draw_piece(const struct ph_tile_kind *k, struct ph_texel_rows *r, in
     }
 }
 
-void ph_draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+PH_TIER(few) void ph_draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
     for (; r->rows > 0; row_down(k, r)) {
         const int32_t left = (int32_t)r->left >> 16, right = (int32_t)r->right >> 16;
@@ -220,7 +222,7 @@ static inline int side_of(const struct ph_texel_way *way, const struct border *b
 
 /* Returns how many of the first n columns lie on the same side as column 0. Outside u or v becomes that of the
  * texture's border. */
-static uint32_t clamp_way(struct ph_texel_way *way, const struct border *b, uint32_t n)
+PH_TIER(scenery) static uint32_t clamp_way(struct ph_texel_way *way, const struct border *b, uint32_t n)
 {
     const int side = side_of(way, b, 0);
     if (side_of(way, b, n - 1) != side) {
@@ -252,7 +254,7 @@ void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, u
 }
 
 /* Draws the next row, which is lit or filtered, or leaves a clamped texture. */
-static void draw_rare_row(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+PH_TIER(scenery) static void draw_rare_row(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
     const struct border u_border = {r->u_outside, k->smooth ? (uint32_t)1 << k->u_down : 0};
     const struct border v_border = {r->v_outside, k->smooth ? (uint32_t)1 << k->v_down : 0};
@@ -289,7 +291,7 @@ static void draw_rare_row(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 }
 
 /* ph_texture_tile stops before a row that leaves a clamped texture. */
-void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+PH_TIER(scenery) void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
     while (r->rows > 0) {
         if (!k->lit && !k->smooth) {

@@ -114,8 +114,9 @@ struct frame {
 
 /* The polynomial from way->base at the first corner. d1, d2: the differences of the other corners, Q16.16; `unit`: log2
  * of 2^-16 in units of the plane. */
-static FX_APART void set_way(struct ph_plane *way, struct ph_curve *curve, const struct frame *f, int32_t d1,
-                             int32_t d2, int unit)
+PH_TIER(figure)
+static FX_APART
+    void set_way(struct ph_plane *way, struct ph_curve *curve, const struct frame *f, int32_t d1, int32_t d2, int unit)
 {
     const int up = ph_min(fx_clz32(ph_without_sign(d1) | ph_without_sign(d2)) - 18, unit); /* to 14 bits */
     const int32_t p1 = (int32_t)shifted(d1, up) * f->warp.scale[1] >> 15;
@@ -131,7 +132,7 @@ static FX_APART void set_way(struct ph_plane *way, struct ph_curve *curve, const
 }
 
 /* Whether all corners of a clamped texture fit into the units beside the sign: see set_texels in texture.c. */
-static bool fits_clamped(const struct ph_texture *texture, const fx_t *const uv[3])
+PH_TIER(mesh) static bool fits_clamped(const struct ph_texture *texture, const fx_t *const uv[3])
 {
     uint32_t all = 0;
     for (int i = 0; i < 3; i++) {
@@ -175,7 +176,7 @@ static void set_shades(struct ph_triangle *t, const struct frame *f, const struc
 }
 
 /* u or v and its curve, 2^-down times. */
-static void shrink(struct ph_plane *way, struct ph_curve *curve, int down)
+PH_TIER(mesh) static void shrink(struct ph_plane *way, struct ph_curve *curve, int down)
 {
     way->base >>= down;
     way->gx = shifted((int32_t)way->gx, -down);
@@ -205,6 +206,7 @@ static FX_APART void set_unusual(struct ph_triangle *t, const struct frame *f, c
     }
 }
 
+PH_TIER(mesh)
 bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                      const fx_t *const corner_uv[3])
 {

@@ -37,6 +37,7 @@ static inline bool are_inside(const struct ph_corners *c, uint32_t margin, uint3
 }
 
 /* Whether all of a tile lies in the texture's only repeat, with a margin: for a filter that of half a texel more. */
+PH_TIER(scenery)
 static bool is_inside(const struct ph_triangle *t, const struct ph_texture *map, const struct ph_surface *s)
 {
     const int least = ph_min(map->log2_width, map->log2_height);
@@ -72,6 +73,7 @@ static unsigned level_of(const struct ph_triangle *t, const struct ph_tile *tile
  * a clamped texture they must not wrap, or a point outside would seem to be inside: its texels must fit in beside the
  * sign, with room for as many again. For draw_run u and v are in 2^-29 of their range.
  */
+PH_TIER(scenery)
 static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile, const struct ph_surface *s,
                               const struct ph_texture *map, struct ph_texel_rows *r)
 {
@@ -96,6 +98,7 @@ static PH_NOINLINE void set_mapped_texels(struct ph_tile_kind *k, const struct p
 }
 
 /* Draws the rows of the upper or the lower half that are in the band; r stands at the first of them. */
+PH_TIER(scenery)
 static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, int half, const struct ph_tile *tile,
                       struct ph_texel_rows *r)
 {
@@ -131,6 +134,7 @@ static inline void set_light(struct ph_texel_rows *r, const struct ph_map *map, 
 }
 
 /* Draws the rows of a tile that are in the band. */
+PH_TIER(scenery)
 static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *band, const struct ph_tile *tile,
                           const struct ph_surface *s)
 {
@@ -176,14 +180,14 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
 }
 
 /* Whether slopes are gentle along a side of 2^log2 pixels: 1/w changes by 3/16 at most, u and v by 2 of their range. */
-static bool is_gentle(uint32_t gu, uint32_t gv, uint32_t gw, uint32_t least_w, int log2)
+PH_TIER(scenery) static bool is_gentle(uint32_t gu, uint32_t gv, uint32_t gw, uint32_t least_w, int log2)
 {
     return least_w < (uint32_t)1 << 30 && fx_magnitude((int32_t)gw) <= ((least_w >> 3) + (least_w >> 4)) >> log2 &&
            (fx_magnitude((int32_t)gu) | fx_magnitude((int32_t)gv)) <= (least_w >> 1) >> log2;
 }
 
 /* The widest tile at x, y that is gentle. */
-static int tile_width(const struct ph_triangle *t, const struct ph_tile *tile, uint32_t columns)
+PH_TIER(scenery) static int tile_width(const struct ph_triangle *t, const struct ph_tile *tile, uint32_t columns)
 {
     const struct ph_plane *const w = ph_over_w(t);
     const struct ph_map *const map = &t->as.large.of.map;
@@ -204,7 +208,7 @@ static int tile_width(const struct ph_triangle *t, const struct ph_tile *tile, u
 }
 
 /* Finds columns and least 1/w of the rows of a strip. */
-static void measure_strip(const struct ph_triangle *t, int32_t width, struct strip *strip)
+PH_TIER(scenery) static void measure_strip(const struct ph_triangle *t, int32_t width, struct strip *strip)
 {
     const struct ph_band rows = {.y0 = (int32_t)strip->y, .y1 = (int32_t)strip->y_end};
     strip->x = width;
@@ -235,7 +239,7 @@ static void measure_strip(const struct ph_triangle *t, int32_t width, struct str
 }
 
 /* The highest strip from row y of the triangle on that is gentle. */
-static void choose_strip(const struct ph_triangle *t, int32_t width, uint32_t y, struct strip *strip)
+PH_TIER(scenery) static void choose_strip(const struct ph_triangle *t, int32_t width, uint32_t y, struct strip *strip)
 {
     const struct ph_map *const map = &t->as.large.of.map;
     strip->height_log2 = HEIGHT_LOG2;
@@ -254,6 +258,7 @@ static void choose_strip(const struct ph_triangle *t, int32_t width, uint32_t y,
     }
 }
 
+PH_TIER(scenery)
 static uint32_t draw_strip(const struct ph_triangle *t, const struct ph_band *band, const struct strip *strip)
 {
     struct ph_surface surface;
@@ -270,7 +275,7 @@ static uint32_t draw_strip(const struct ph_triangle *t, const struct ph_band *ba
     return count;
 }
 
-uint32_t ph_draw_textured(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(scenery) uint32_t ph_draw_textured(const struct ph_triangle *t, const struct ph_band *band)
 {
     const uint32_t top = (uint32_t)t->y_top, above = (uint32_t)band->y0 & (0u - (1u << HEIGHT_LOG2));
     uint32_t count = 0;

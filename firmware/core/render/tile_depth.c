@@ -2,6 +2,12 @@
  * Rows of a tile in one or two octaves of depth: each is drawn in 16.16 codes on both sides of the line on which the
  * octaves meet, which is walked as an edge. See tile_depth.h.
  */
+#include "tier.h"
+#include <stdint.h>
+
+/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
+PH_TIER(scenery) static inline int fx_clz32(uint32_t v);
+
 #include "tile_depth.h"
 
 #include "edge.h"
@@ -13,6 +19,7 @@ static PH_NOINLINE void nearest_octave(struct ph_octave *o, const struct ph_tria
     ph_octave_of(o, t, most, t->as.large.depth.as.plane.gx);
 }
 
+PH_TIER(scenery)
 bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_tile_depth *depth)
 {
     const struct ph_plane *const plane = &t->as.large.depth.as.plane;
@@ -37,6 +44,7 @@ bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, st
     return least_in->size > 0 && most_in->size > 0 && least <= most && least_in->up - most_in->up < 2;
 }
 /* Draws rows in one octave; the first of them is row `row` of the tile. */
+PH_TIER(scenery)
 static void draw_rows_in_octave(const struct ph_tile_kind *k, struct ph_texel_rows *r,
                                 const struct ph_tile_depth *depth, bool near, uint32_t row)
 {

@@ -1,7 +1,9 @@
 /* See tile_surface.h. */
 #include "tile_surface.h"
 
-static int32_t mulhi(int32_t a, int32_t b)
+#include "tier.h"
+
+PH_TIER(scenery) static int32_t mulhi(int32_t a, int32_t b)
 {
     return (int32_t)(fx_mul_wide(a, b) >> 32);
 }
@@ -13,6 +15,7 @@ struct over_w {
 };
 
 /* Divides exactly u/w and v/w (see setup_texture): u and v below 8 of their range. */
+PH_TIER(scenery)
 static inline struct over_w divide(uint32_t over_w, uint32_t u_over_w, uint32_t v_over_w, int32_t *u, int32_t *v)
 {
     const uint32_t w = over_w - 4 < ((uint32_t)1 << 30) - 4 ? over_w : 4; /* 2^29 with head room */
@@ -31,6 +34,7 @@ static inline int32_t part_of(const struct over_w *end, uint32_t change)
 }
 
 /* Divides at the right side of a tile, which ends at column x; ends: 1/w at its upper and its lower corner. */
+PH_TIER(scenery)
 static void divide_side(const struct ph_triangle *t, const struct ph_tile *tile, uint32_t x, struct ph_surface *s,
                         struct over_w ends[2])
 {
@@ -47,13 +51,13 @@ static void divide_side(const struct ph_triangle *t, const struct ph_tile *tile,
     s->right = part_of(&ends[1], change);
 }
 
-void ph_surface_begin(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_surface *s)
+PH_TIER(scenery) void ph_surface_begin(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_surface *s)
 {
     struct over_w ends[2];
     divide_side(t, tile, tile->x, s, ends);
 }
 
-void ph_surface_next(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_surface *s)
+PH_TIER(scenery) void ph_surface_next(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_surface *s)
 {
     const uint32_t width = 1u << tile->width_log2, change = ph_over_w(t)->gx * width;
     struct over_w ends[2];
@@ -91,6 +95,7 @@ static inline uint32_t scaled(uint32_t v, int by)
  * comes from the left side, step and bend from the top and the bottom. The right side bends more than the left by
  * twist; since `at` follows the left side alone, step takes it up.
  */
+PH_TIER(scenery)
 void ph_surface_way(struct ph_texel_way *way, const struct ph_corners *c, const struct ph_surface *s,
                     const struct ph_tile *tile, int up)
 {

@@ -11,6 +11,7 @@
 #include "vertices.h"
 
 /* One row of the clip matrix: row `from` of the view times `scale`. */
+PH_TIER(mesh)
 static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform *object_to_view, int from,
                      int32_t scale)
 {
@@ -22,7 +23,7 @@ static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform 
     out->t[row] = (int64_t)fx_sat64((fx_mul_wide(along, scale) + (1 << 29)) >> 30) * (1 << 28) + (1 << 27);
 }
 
-struct ph_clip_matrix ph_clip_matrix(const struct ph_lens *lens, const struct ph_xform *object_to_view)
+PH_TIER(mesh) struct ph_clip_matrix ph_clip_matrix(const struct ph_lens *lens, const struct ph_xform *object_to_view)
 {
     struct ph_clip_matrix m;
     fold_row(&m, 0, object_to_view, 0, lens->focal_x);
@@ -39,7 +40,7 @@ static inline int32_t divide_q25(int32_t x, int32_t reciprocal, int shift)
 }
 
 /* From 2^-25 to 1/256 px, rounded. */
-static inline int32_t screen_q8(const struct ph_lens *lens, int32_t q25)
+PH_TIER(mesh) static inline int32_t screen_q8(const struct ph_lens *lens, int32_t q25)
 {
     const int down = 17 - lens->focal_log2;
     return down > 0 ? (q25 + ((1 << down) >> 1)) >> down : q25 * (1 << -down);
@@ -55,6 +56,7 @@ static inline void project_perspective(const struct ph_lens *lens, int32_t x, in
     ph_vertex_depth(v, ph_depth_quotient_of(lens, reciprocal, shift));
 }
 
+PH_TIER(scenery)
 void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int32_t z, struct ph_vertex *v)
 {
     if (lens->kind == PH_PERSPECTIVE) {
@@ -68,6 +70,7 @@ void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int
 
 /* Clip codes left and right, or top and bottom, of a vertex that cannot be projected. Its place on the screen, 256 (x
  * 2^focal_log2 / w) + centre, is compared with 0 and with size; both sides are multiplied by w. */
+PH_TIER(scenery)
 static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int32_t centre, int32_t size, uint8_t below)
 {
     const int64_t at = (int64_t)((uint64_t)(int64_t)x << (lens->focal_log2 + 8)) + fx_mul_wide(centre, w);
@@ -75,7 +78,7 @@ static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int3
 }
 
 /* The same codes of a vertex that is projected. */
-static uint8_t screen_codes(const struct ph_renderer *r, const struct ph_vertex *v)
+PH_TIER(scenery) static uint8_t screen_codes(const struct ph_renderer *r, const struct ph_vertex *v)
 {
     const int32_t right = r->config.width * 256, bottom = r->config.height * 256;
     const unsigned across = v->x < 0 ? PH_LEFT : v->x > right ? PH_RIGHT : 0;
@@ -83,6 +86,7 @@ static uint8_t screen_codes(const struct ph_renderer *r, const struct ph_vertex 
 }
 
 /* Projects a vertex, or only gives it clip codes: any lens, any place. */
+PH_TIER(scenery)
 static PH_NOINLINE void place_vertex(const struct ph_renderer *r, int32_t x, int32_t y, int32_t z, struct ph_vertex *v)
 {
     const struct ph_lens *lens = &r->lens;
@@ -105,6 +109,7 @@ static PH_NOINLINE void place_vertex(const struct ph_renderer *r, int32_t x, int
     v->code = code | screen_codes(r, v);
 }
 
+PH_TIER(scenery)
 void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *p,
                   struct ph_vertex *v)
 {
@@ -115,12 +120,13 @@ void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, c
 #define USUAL_W ((uint32_t)1 << 28)
 
 /* A centre with half a unit added, so that the shift down rounds: see struct ph_vertex_run. */
-static int64_t rounded_centre(int32_t centre, int down)
+PH_TIER(mesh) static int64_t rounded_centre(int32_t centre, int down)
 {
     return (int64_t)((uint64_t)((uint32_t)centre << down | (uint32_t)1 << (down - 1)) << 32);
 }
 
 /* False if ph_vertices cannot take any vertex: it needs a perspective whose numbers have their usual size. */
+PH_TIER(mesh)
 static bool start_run(struct ph_vertex_run *run, const struct ph_renderer *r, const struct ph_clip_matrix *m)
 {
     const struct ph_lens *lens = &r->lens;
@@ -143,6 +149,7 @@ static bool start_run(struct ph_vertex_run *run, const struct ph_renderer *r, co
     return true;
 }
 
+PH_TIER(mesh)
 struct ph_clip_vertex ph_clip_place(const struct ph_lens *lens, const struct ph_clip_matrix *m, const struct fx_vec3 *p)
 {
     const int32_t x = ph_matrix_row_mul(m, 0, p), y = ph_matrix_row_mul(m, 1, p), z = ph_matrix_row_mul(m, 2, p);
@@ -160,8 +167,9 @@ struct part_of_mesh {
 };
 
 /* The place of the next vertex in clip coordinates; usual: ph_vertices has stopped there. */
-static PH_NOINLINE struct fx_vec3 before_divide(const struct ph_vertex_run *run, const struct ph_clip_matrix *m,
-                                                bool usual)
+PH_TIER(scenery)
+static PH_NOINLINE struct fx_vec3
+    before_divide(const struct ph_vertex_run *run, const struct ph_clip_matrix *m, bool usual)
 {
     if (!ph_matvec_in_range(&run->matvec, run->from)) {
         return ph_matrix_mul(m, run->from);
@@ -169,7 +177,7 @@ static PH_NOINLINE struct fx_vec3 before_divide(const struct ph_vertex_run *run,
     return usual ? run->at : ph_matvec_near(&run->matvec, run->from);
 }
 
-static void transform_part(void *argument)
+PH_TIER(mesh) static void transform_part(void *argument)
 {
     struct part_of_mesh *const p = argument;
     const struct ph_renderer *const r = p->r;
@@ -197,6 +205,7 @@ static void transform_part(void *argument)
     p->codes = run.codes;
 }
 
+PH_TIER(mesh)
 uint32_t ph_transform_points(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *points,
                              uint32_t n, struct ph_vertex *vertices)
 {
@@ -205,6 +214,7 @@ uint32_t ph_transform_points(const struct ph_renderer *r, const struct ph_clip_m
     return part.codes;
 }
 
+PH_TIER(mesh)
 uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
                            struct ph_vertex *vertices)
 {

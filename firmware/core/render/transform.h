@@ -16,7 +16,7 @@ struct ph_clip_matrix {
 struct ph_clip_matrix ph_clip_matrix(const struct ph_lens *lens, const struct ph_xform *object_to_view);
 
 /* A row of the matrix times a point. Elements are below 2 in Q4.28, points below 2^31: the sum stays below 2^62. */
-static inline int32_t ph_matrix_row_mul(const struct ph_clip_matrix *m, int row, const struct fx_vec3 *p)
+PH_TIER(mesh) static inline int32_t ph_matrix_row_mul(const struct ph_clip_matrix *m, int row, const struct fx_vec3 *p)
 {
     const int64_t sum =
         m->t[row] + fx_mul_wide(m->m[row][0], p->x) + fx_mul_wide(m->m[row][1], p->y) + fx_mul_wide(m->m[row][2], p->z);

@@ -73,7 +73,7 @@
 5:
     .endm
 
-    function ph_cull @ r0: struct ph_cull_run
+    function ph_cull, loop @ r0: struct ph_cull_run
     push {r4-r7, lr}
     mov r3, r8
     mov r4, r9

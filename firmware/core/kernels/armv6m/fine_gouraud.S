@@ -61,7 +61,7 @@ sample_\at:
     add r3, r9
     .endm
 
-    function ph_fine_gouraud @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
+    function ph_fine_gouraud, seldom @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     save_registers
     subs r2, r2, r1
     push {r4}

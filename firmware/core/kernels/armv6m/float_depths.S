@@ -36,7 +36,7 @@
     str r6, [r3, #4 * \at]
     .endm
 
-    function ph_float_depths @ r0: struct ph_lens, r1: corners, r2: bias, r3: results
+    function ph_float_depths, scenery @ r0: struct ph_lens, r1: corners, r2: bias, r3: results
     push {r4-r7, lr}
     mov r12, r1
     ldr r4, [r0, #lens_far_q]

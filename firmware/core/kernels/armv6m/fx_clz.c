@@ -1,6 +1,8 @@
 /* fx_clz: the table of fx_clz32, for a CPU without that instruction. See fx_cpu.h. */
 #include "fx.h"
+#include "tier.h"
 
+PH_TIER(loop)
 const uint8_t fx_clz_table[256] = {
     8, 7, 6, 6, 5, 5, 5, 5, 4, 4, 4, 4, 4, 4, 4, 4, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 2, 2, 2, 2, 2,
     2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,

@@ -2,7 +2,7 @@
 @ carries out of 32 bits.
 #include "../thumb.inc"
 
-    function fx_mul_far @ r0: a, r1: b; r2: low half of a, r3: low half of b, r4: high half of a
+    function fx_mul_far, loop @ r0: a, r1: b; r2: low half of a, r3: low half of b, r4: high half of a
     push {r4}
     uxth r2, r0
     uxth r3, r1

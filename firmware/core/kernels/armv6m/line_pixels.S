@@ -5,7 +5,7 @@
 #include "../thumb.inc"
 #include "registers.inc"
 
-    function ph_line_pixels @ r0: run, r1: pixels, r2: depth, r3: n
+    function ph_line_pixels, loop @ r0: run, r1: pixels, r2: depth, r3: n
     save_registers
     subs r1, r2
     mov r12, r1

@@ -65,7 +65,7 @@ static inline void ph_matvec_prepare(struct ph_matvec *matvec, const struct ph_c
 }
 
 /* Sums stay below 3 2^29 + 2^28: they fit, also with the carry of the digit below. */
-static inline int32_t ph_row_of_digits(const struct ph_row *row, int32_t x, int32_t y, int32_t z)
+PH_TIER(mesh) static inline int32_t ph_row_of_digits(const struct ph_row *row, int32_t x, int32_t y, int32_t z)
 {
     int32_t sum = row->low[0] * x + row->low[1] * y + row->low[2] * z + row->part;
     sum = (sum >> 10) + row->middle[0] * x + row->middle[1] * y + row->middle[2] * z;
@@ -73,7 +73,7 @@ static inline int32_t ph_row_of_digits(const struct ph_row *row, int32_t x, int3
     return (sum >> 8) + row->whole;
 }
 
-static inline int32_t ph_row_of_two(const struct ph_short_row *row, int32_t x, int32_t y, int32_t z)
+PH_TIER(mesh) static inline int32_t ph_row_of_two(const struct ph_short_row *row, int32_t x, int32_t y, int32_t z)
 {
     int32_t sum = row->low[0] * x + row->low[1] * y + row->low[2] * z + row->part;
     sum = (sum >> 14) + row->high[0] * x + row->high[1] * y + row->high[2] * z;

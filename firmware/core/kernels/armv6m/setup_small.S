@@ -58,7 +58,7 @@
     str r0, [r2, #triangle_left_dx + 4]
     .endm
 
-    .section .text.ph_setup_usual, "ax", %progbits
+    section_of ph_setup_usual, loop
     .p2align 2
     .thumb_func
 apart: @ part of ph_setup_usual: the corners have other exponents
@@ -90,7 +90,7 @@ unusual:
     movs r0, #0
     restore_and_return
 
-    function ph_setup_usual @ r0: struct ph_usual, r1: struct ph_ref, r2: struct ph_triangle
+    function ph_setup_usual, loop @ r0: struct ph_usual, r1: struct ph_ref, r2: struct ph_triangle
     save_registers
     mov r10, r0
     mov r11, r2

@@ -14,7 +14,7 @@
     .endm
     .equ pixel_bytes, 14
 
-    function ph_span_flat @ r2: n; stack: gd, colour
+    function ph_span_flat, scenery @ r2: n; stack: gd, colour
     push {r4-r7, lr}
     ldr r4, [sp, #20]
     ldr r5, [sp, #24]

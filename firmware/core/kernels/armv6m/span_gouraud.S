@@ -18,7 +18,7 @@
     .endm
     .equ pixel_bytes, 22
 
-    function ph_span_gouraud @ r2: n; stack: gd, light, glight, ramp
+    function ph_span_gouraud, scenery @ r2: n; stack: gd, light, glight, ramp
     push {r4-r7, lr}
     mov r6, r8
     mov r7, r9

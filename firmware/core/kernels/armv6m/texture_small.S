@@ -21,7 +21,7 @@
     .equ row_u, 52
     .equ frame, 56
 
-    function ph_texture_small @ r0: struct ph_texel_run
+    function ph_texture_small, loop @ r0: struct ph_texel_run
     save_registers
     sub sp, #frame
     str r0, [sp, #self]

@@ -37,7 +37,7 @@
     adds r0, #way - 20
     .endm
 
-    function ph_texture_tile @ r0: struct ph_texel_rows
+    function ph_texture_tile, scenery @ r0: struct ph_texel_rows
     save_registers
     sub sp, #frame
     movs r7, r0

@@ -79,7 +79,7 @@
     adds \v, \l
     .endm
 
-    function ph_vertices @ r0: struct ph_vertex_run
+    function ph_vertices, loop @ r0: struct ph_vertex_run
     save_registers
     mov r10, r0
     movs r7, r0

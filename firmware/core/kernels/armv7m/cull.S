@@ -41,7 +41,7 @@
 3:
     .endm
 
-    function ph_cull @ r0: struct ph_cull_run
+    function ph_cull, loop @ r0: struct ph_cull_run
     push {r4-r11, lr}
     mov lr, r0
     ldmia r0, {r0-r3}

@@ -3,7 +3,7 @@
 
     .equ turn, 960
 
-    function ph_fill @ r0: to, r1: value, r2: pixels left
+    function ph_fill, loop @ r0: to, r1: value, r2: pixels left
     push {r4-r11, lr}
     cmp r2, #0
     beq 9f

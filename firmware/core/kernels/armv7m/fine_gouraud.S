@@ -99,7 +99,7 @@ from_\at:
     bhs row
     .endm
 
-    function ph_fine_gouraud @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
+    function ph_fine_gouraud, seldom @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     push {r4-r11, lr}
     ldmia r0!, {r4-r7}
     eor r5, r5, #1 << 31

@@ -74,7 +74,7 @@
     bhi unusual
     .endm
 
-    function ph_setup_usual @ r0: struct ph_usual, r1: struct ph_ref, r2: struct ph_triangle
+    function ph_setup_usual, loop @ r0: struct ph_usual, r1: struct ph_ref, r2: struct ph_triangle
     push {r4-r11, lr}
     ldrh r3, [r1]
     ldrh r4, [r1, #2]

@@ -102,12 +102,12 @@ from_\at:
     .endm
 
     .ifdef with_knee
-    function ph_small_knee
+    function ph_small_knee, scenery
     .else
     .ifdef with_blocks
-    function ph_wide_gouraud
+    function ph_wide_gouraud, scenery
     .else
-    function ph_small_gouraud
+    function ph_small_gouraud, loop
     .endif
     .endif
     @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row

@@ -32,7 +32,7 @@ pair_\at:
     add r6, r4
     .endm
 
-    function ph_span_flat @ r2: n; stack: gd, colour
+    function ph_span_flat, scenery @ r2: n; stack: gd, colour
     push {r4-r7, lr}
     ldrd r4, r5, [sp, #20]
     orr r5, r5, r5, lsl #16
@@ -83,7 +83,7 @@ pixel_\at:
 1:  add r3, r4
     .endm
 
-    function ph_span_flat @ r2: n; stack: gd, colour
+    function ph_span_flat, scenery @ r2: n; stack: gd, colour
     push {r4, r5, lr}
     ldrd r4, r5, [sp, #12]
     @ Of the 16 unrolled pixels only the last k = 1 .. 16 are run at first, so that whole sixteens are left.

@@ -17,7 +17,7 @@ pixel_\at:
     add r5, r6
     .endm
 
-    function ph_span_gouraud @ r2: n; stack: gd, light, glight, ramp
+    function ph_span_gouraud, scenery @ r2: n; stack: gd, light, glight, ramp
     push {r4-r8, lr}
     ldrd r4, r5, [sp, #24]
     ldrd r6, r7, [sp, #32]

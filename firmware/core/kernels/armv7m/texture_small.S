@@ -13,7 +13,7 @@
     .equ count, 16
     .equ frame, 20
 
-    function ph_texture_small @ r0: struct ph_texel_run
+    function ph_texture_small, loop @ r0: struct ph_texel_run
     push {r4-r11, lr}
     sub sp, #frame
     mov r9, r0

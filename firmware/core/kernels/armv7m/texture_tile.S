@@ -18,7 +18,7 @@
     stm lr, {r0, r1, r2, r4, r5}
     .endm
 
-    function ph_texture_tile @ r0: struct ph_texel_rows
+    function ph_texture_tile, scenery @ r0: struct ph_texel_rows
     push {r4-r11, lr}
     sub sp, #12
     mov r9, r0

@@ -5,7 +5,7 @@
 #include "../offsets.inc"
 #include "matvec_offsets.inc"
 
-    function ph_vertices @ r0: struct ph_vertex_run
+    function ph_vertices, loop @ r0: struct ph_vertex_run
     push {r4-r11, lr}
     ldr r1, [r0, #run_from]
     ldr r2, [r0, #run_to]

@@ -1,7 +1,8 @@
 /* See texel_row.h. */
 #include "texel_row_plain.h"
+#include "tier.h"
 
-void ph_texel_row_nearest(const struct ph_texel_row *r)
+PH_TIER(scenery) void ph_texel_row_nearest(const struct ph_texel_row *r)
 {
     ph_texel_row_any(r, false, false);
 }

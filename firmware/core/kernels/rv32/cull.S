@@ -65,7 +65,7 @@
 1:
     .endm
 
-    function ph_cull // a0: struct ph_cull_run
+    function ph_cull, loop // a0: struct ph_cull_run
     save 32, SAVED
     words lw, a0, cull_vertices, a1, a2, a3, a4, a5, a6, a7
 next:

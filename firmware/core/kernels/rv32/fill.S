@@ -1,7 +1,7 @@
 /* ph_fill of kernels.h for RV32: 33 instructions store 128 bytes, and what is left of them takes one a word. */
 #include "rv32.inc"
 
-    function ph_fill // a0: to, a1: value, a2: pixels
+    function ph_fill, loop // a0: to, a1: value, a2: pixels
     beqz a2, 4f
     andi t0, a0, 2 // half a word comes first
     beqz t0, 1f

@@ -70,7 +70,7 @@ samples_\at:
     next_pixel
     .endm
 
-    function ph_fine_gouraud
+    function ph_fine_gouraud, seldom
     save 64, SAVED
     words lw, a0, small_left_dx, s0, s1, s2, s3, s4, s5, s6, a4, a5, a6, a7
     lhu s8, small_upper_rows(a0)

@@ -90,7 +90,7 @@
 2:  add \to, \to, t1
     .endm
 
-    function ph_setup_usual // a0: struct ph_usual, a1: struct ph_ref, a2: struct ph_triangle
+    function ph_setup_usual, loop // a0: struct ph_usual, a1: struct ph_ref, a2: struct ph_triangle
     save 64, SAVED
     lhu a3, 0(a1)
     lhu a4, 2(a1)

@@ -14,7 +14,7 @@
 1:  add a3, a3, a4
     .endm
 
-    function ph_span_flat // a2: pixels
+    function ph_span_flat, scenery // a2: pixels
     // Of the 16 unrolled pixels only the last 1 .. 16 are run at first, so that whole sixteens are left.
     addi t0, a2, -1
     slli a2, a2, 1

@@ -18,7 +18,7 @@
     add a5, a5, a6
     .endm
 
-    function ph_span_gouraud // a2: pixels
+    function ph_span_gouraud, scenery // a2: pixels
     // Of the 16 unrolled pixels only the last 1 .. 16 are run at first, so that whole sixteens are left.
     addi t0, a2, -1
     slli a2, a2, 1

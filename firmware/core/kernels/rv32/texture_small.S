@@ -31,7 +31,7 @@
     add \at_dy, \at_dy, t1
     .endm
 
-    function ph_texture_small // a0: struct ph_texel_run
+    function ph_texture_small, loop // a0: struct ph_texel_run
     save 64, SAVED
     words lw, a0, run_u, s0, s1, s2
     words lw, a0, run_v, s3, s4, s5

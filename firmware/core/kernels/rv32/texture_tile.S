@@ -31,7 +31,7 @@
     sw t0, \way + 16(a0)
     .endm
 
-    function ph_texture_tile // a0: struct ph_texel_rows
+    function ph_texture_tile, scenery // a0: struct ph_texel_rows
     save 64, SAVED
     words lw, a0, texel_u, s0, s1, s2, s3
     words lw, a0, texel_v, s4, s5, s6, s7

@@ -42,7 +42,7 @@
     add \to, \to, t6
     .endm
 
-    function ph_vertices // a0: struct ph_vertex_run
+    function ph_vertices, loop // a0: struct ph_vertex_run
     save 64, SAVED
     words lw, a0, run_from, a1, a3, a2
     load_row 0, s0, s1, s2, s9, a4
