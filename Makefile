@@ -134,22 +134,23 @@ $(B)/host-sim/emulate/%.o: INC = $(INC_HOST) $(call rooms,host-sim,emulate contr
 $(patsubst %,$(B)/host-sim/emulate/%.o,rp2040/% rp2350/% registers/% stm32f4/registers_table lm3s6965/registers_table): INC = -Ihost-sim/emulate # a chip knows neither hal nor firmware
 $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 
-# The core's optimization in kits, in the bench and in `make size` (KIT=1; the default unless CFLAGS are given; frames are the
-# same at every level). On a Cortex-M0+ most of the core runs from RAM, and its inner loops are assembly: only what -Os makes
-# over 2 % slower in some demo is compiled for speed. Other CPUs have their code in flash that is fast.
+# Optimization in kits, in the bench and in `make size` (KIT=1; the default unless CFLAGS are given; frames are the same at every
+# level). On a Cortex-M0+ most of the core runs from RAM, and its inner loops are assembly: only what -Os makes over 2 % slower
+# in some demo is compiled for speed. Other CPUs have their code in flash that is fast. A source that takes another level than
+# the rest says so itself, in a line that begins with `/* Kits: -Os` or, for one CPU, `/* Kits on armv6m: -O2`.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
-CORE_O3_armv6m := mesh
-CORE_O2_armv6m := bands light fisheye fisheye_draw fisheye_edges fx fx_root fx_trig line motion_skin raster% small_texels texel_row_nearest texel_rows texels texture tile_surface
-core_level = $(if $(filter armv6m,$(CPU)),$(if $(filter $(CORE_O3_armv6m),$(1)),-O3,$(if $(filter $(CORE_O2_armv6m),$(1)),-O2,-Os)),-O3)
 ifneq ($(KIT),)
-$(B)/firmware/core/%.o: override CFLAGS += $(call core_level,$(*F))
+KIT_LEVELS := $(shell grep -rE --include='*.c' '^/\* Kits( on $(CPU))?: -O[0-9s]' firmware/core hal | sed 's|:/[*] Kits[^:]*: *\(-O.\).*|=\1|')
+kit_level = $(patsubst $<=%,%,$(filter $<=%,$(KIT_LEVELS)))
+$(B)/firmware/core/%.o: override CFLAGS += $(or $(kit_level),$(if $(filter armv6m,$(CPU)),-Os,-O3))
+$(B)/hal/%.o: override CFLAGS += $(kit_level)
 endif
 
 # CHECKED=1: the library looks at the indices of meshes (firmware/core/render/check.h). The default but on bare metal.
 CHECKED ?= $(if $(findstring -ffreestanding,$(CFLAGS)),,1)
 $(B)/firmware/core/render/check.o: DEFS += $(if $(CHECKED),-DPH_CHECKED=1)
 
-ALL_FLAGS = $(if $(CHECKED),checked) $(if $(KIT),$(CORE_O3_armv6m) - $(CORE_O2_armv6m)) $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE) $(if $(OUT),$(BOARD_HOME))
+ALL_FLAGS = $(if $(CHECKED),checked) $(if $(KIT),kit) $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE) $(if $(OUT),$(BOARD_HOME))
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 .PHONY: all demo check test test-exhaustive proof lint bench size depth gallery golden clean help core-objects firmware-objects test-programs long-programs FORCE

@@ -11,6 +11,7 @@
  * All of this runs from RAM. Flashes of Winbond and GigaDevice are known by their JEDEC id, any other by its parameters
  * (SFDP, JEDEC JESD216B). Where something is not as expected, the ROM's way of reading stays.
  */
+/* Kits: -Os, because it takes RAM and runs once. */
 #include "board.h"
 #include "port.h"
 #include <registers.h>

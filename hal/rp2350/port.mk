@@ -28,4 +28,3 @@ SPEED = CHIP=rp2350 ISA='$(ISA)' B='$(B)' host-sim/emulate/speed_rp2.sh '$(BOARD
 FLASH = '$(B)/pinhole-flash' $(if $(filter %.phs,$(SCENE)),'$(SCENE)' --at-scene,'$(IMAGE).uf2') $(if $(SERIAL),--serial '$(SERIAL)')
 FLASH_NEEDS = $(B)/pinhole-flash
 $(B)/hal/chips/rp2/%.o $(B)/hal/rp2350/%.o: INC = -Ihal -Ihal/rp2350/$(or $(ISA),arm) -Ihal/rp2350
-$(B)/hal/rp2350/flash.o: override CFLAGS += -Os # it takes RAM, and runs once

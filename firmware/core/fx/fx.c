@@ -1,4 +1,5 @@
 /* fx: sums, products, quotients. See fx.h. */
+/* Kits on armv6m: -O2. */
 #include "fx.h"
 #include "tier.h"
 

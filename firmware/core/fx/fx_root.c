@@ -1,4 +1,5 @@
 /* fx_root: the table of the normalised reciprocal; square roots. See fx.h. */
+/* Kits on armv6m: -O2. */
 #include "fx.h"
 #include "tier.h"
 

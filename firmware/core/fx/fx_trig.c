@@ -1,4 +1,5 @@
 /* fx_trig: sine and cosine. See fx.h. */
+/* Kits on armv6m: -O2. */
 #include "fx.h"
 #include "tier.h"
 

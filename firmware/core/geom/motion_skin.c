@@ -2,6 +2,7 @@
  * Skins and morph targets: see motion.h. Products have 32 bits here, as a Cortex-M0+ makes no others, and no sum can
  * overflow: the bounds stand beside them. Sums are made in uint32_t, where what a caller breaks wraps.
  */
+/* Kits on armv6m: -O2. */
 #include "motion.h"
 #include "tier.h"
 

@@ -6,6 +6,7 @@
  * a triangle gives at a pixel depends on the triangle and the pixel alone: planes are exact modulo 2^32. So the number
  * of slots changes the speed, and nothing else.
  */
+/* Kits on armv6m: -O2. */
 #include "check.h"
 #include "coarse.h"
 #include "cores.h"

@@ -7,6 +7,7 @@
  *
  * Depth is the distance from the eye, so the near and the far plane are spheres.
  */
+/* Kits on armv6m: -O2. */
 #include "fisheye.h"
 #include "fisheye_ray.h"
 

@@ -10,6 +10,7 @@
  * below 2^-5 radian are never divided. All of this depends on the ends of the edge alone, so two triangles that share
  * an edge divide it alike and no crack opens.
  */
+/* Kits on armv6m: -O2. */
 #include "fisheye.h"
 #include "fisheye_ray.h"
 

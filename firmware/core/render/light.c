@@ -3,6 +3,7 @@
  * Lights are brought into the coordinates of the mesh, so that neither normals nor positions have to be rotated.
  * Products have 16 bits, Q2.14. See light.h.
  */
+/* Kits on armv6m: -O2. */
 #include "light.h"
 
 #include "vertex.h"

@@ -1,4 +1,5 @@
 /* See line.h. */
+/* Kits on armv6m: -O2. */
 #include "line.h"
 
 #include "edge.h"

@@ -1,4 +1,5 @@
 /* Meshes: triangles are rejected, culled, lit, clipped and listed. See clipped.h, list.h, render.h. */
+/* Kits on armv6m: -O3. */
 #include "check.h"
 #include "clipped.h"
 #include "colour.h"

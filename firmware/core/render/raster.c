@@ -5,6 +5,7 @@
  * What a triangle gives at a pixel depends on the triangle and the pixel alone, because planes are exact modulo 2^32.
  * So the picture does not depend on where a band begins.
  */
+/* Kits on armv6m: -O2. */
 #include "raster.h"
 
 #include "coarse.h"

@@ -1,4 +1,5 @@
 /* Triangles whose depth takes 64 bits, drawn strip by strip, or pixel run by pixel run. See raster_exact.h, exact.h. */
+/* Kits on armv6m: -O2. */
 #include "raster_exact.h"
 
 #include "edge.h"

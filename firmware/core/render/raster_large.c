@@ -1,4 +1,5 @@
 /* See raster_large.h. */
+/* Kits on armv6m: -O2. */
 #include "raster_large.h"
 
 #include "colours.h"

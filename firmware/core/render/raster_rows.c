@@ -2,6 +2,7 @@
  * Rows of Gouraud and of textured triangles, as the kernels draw them. Where the depth is a float that crosses octaves,
  * rows of one octave are drawn together, and a row that crosses is drawn in pieces. See raster_rows.h.
  */
+/* Kits on armv6m: -O2. */
 #include "raster_rows.h"
 
 #include "edge.h"

@@ -2,6 +2,7 @@
  * Triangles that are walked row by row: of one colour, Gouraud with linear-w or depth of 24 bits, and single pixels. A
  * span is drawn in one run, unless its depth crosses octaves. See raster_walk.h.
  */
+/* Kits on armv6m: -O2. */
 #include "raster_walk.h"
 
 #include "edge.h"

@@ -1,4 +1,5 @@
 /* See small_texels.h. */
+/* Kits on armv6m: -O2. */
 #include "small_texels.h"
 
 #include "texel_map.h"

@@ -10,6 +10,7 @@
  *
  * So it takes one reciprocal for both u and v. Triangles in which the error may exceed 1/16 texel are drawn in tiles.
  */
+/* Kits on armv6m: -O2. */
 #include "texels.h"
 
 #include "planes.h"

@@ -11,6 +11,7 @@
  * is a multiple of its height, so bands of a multiple of 16 lines cut no tile. A strip is cut into tiles from left to
  * right: tile_surface.h divides, tile_depth.h and texel_rows.h draw its rows.
  */
+/* Kits on armv6m: -O2. */
 #include "texture.h"
 
 #include "edge.h"

@@ -1,4 +1,5 @@
 /* See tile_surface.h. */
+/* Kits on armv6m: -O2. */
 #include "tile_surface.h"
 
 #include "tier.h"

@@ -1,4 +1,5 @@
 /* See texel_row.h. */
+/* Kits on armv6m: -O2. */
 #include "texel_row_plain.h"
 #include "tier.h"
 
