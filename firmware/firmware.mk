@@ -29,7 +29,9 @@
 #                     stack_bytes: what the call graph's deepest path takes, and this
 #   PORT_AHEAD_BYTES  optional: memory in which a second core makes the scene of the next frame
 #   PORT_CORES        optional: the values that CORES may have; without it 1
-#   PORT_RAM_CODES    optional: other values of RAM_CODE, folders of hal/PORT with the linker scripts that PORT_LD includes
+#   PORT_TIERS        optional: the tiers of functions that PORT_LD tells apart (hal/README.md); PORT_FLAGS have -DCODE_TIERS then
+#   PORT_RAM_TIERS    optional: those of them that run from RAM, by RAM_CODE. PORT_LD includes ram_tiers.ld, and for the rest flash_tiers.ld
+#   PORT_RAM_CODES    optional: other values of RAM_CODE than coresN, the default
 #   PORT_ISAS         optional: the values that ISA may have, the default first
 #   PORT_TILES_BYTES  optional: memory for the signatures of tiles (hal/panel_tiles.h); without it CHANGES is 0
 #   PORT_SCENE        optional: offset in flash of a binary scene, behind every image; it may fill the rest of the flash
@@ -143,7 +145,7 @@ speed: ## BOARD=x of an RP2040 or RP2350: frames/s and load of each core for eve
 ifneq ($(OUT),)
 IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/panel/*.c) $(PORT_SRC) $(PORT_INFO) $(BOARD_HOME)/board.c
 IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
-LD_SEARCH := -L hal/$(PORT) -L hal/$(PORT)/$(RAM_CODE) -L hal/chips/cortexm
+LD_SEARCH := -L hal/$(PORT) -L hal/chips/cortexm -L $(B)/$(RAM_CODE)
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
 	$(Q)CROSS='$(CROSS)' firmware/tools/budget.sh '$(OUT).elf' '$(BOARD)' flash="$$(($(IMAGE_FLASH_BYTES)))" ram="$$($(B)/board-facts image_ram $(CORES))" \
@@ -188,9 +190,15 @@ STACK := $(B)/$(APP_NAME).stack
 $(STACK): $(IMAGE_OBJ) firmware/tools/stack.sh firmware/tools/stack.awk
 	$(Q)firmware/tools/stack.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' '$(PORT_STACK_EXTRA)' >'$@.new' && mv '$@.new' '$@'
 
+# What the linker script includes: the tiers of functions that this image runs from RAM, and those that it runs from flash.
+tier_sections = $(foreach tier,$(1),*(.tier.$(tier).*))
+$(B)/$(RAM_CODE)/ram_tiers.ld: FORCE
+	@mkdir -p $(@D); echo '$(call tier_sections,$(filter-out $(PORT_RAM_TIERS),$(PORT_TIERS)))' >$(@D)/flash_tiers.ld
+	@echo '$(call tier_sections,$(PORT_RAM_TIERS))' >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
 UF2_ELF := $(if $(UF2_APP_BASE),$(B)/uf2-$(notdir $(OUT)).elf,$(OUT).elf)
 $(filter-out $(OUT).elf,$(UF2_ELF)): $(OUT).elf
-$(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(STACK) $(PORT_LD) $(wildcard hal/chips/cortexm/*.ld hal/$(PORT)/$(RAM_CODE)/*.ld)
+$(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(STACK) $(PORT_LD) $(wildcard hal/chips/cortexm/*.ld) $(if $(PORT_TIERS),$(B)/$(RAM_CODE)/ram_tiers.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
 	$(Q)firmware/tools/link.sh '$@' '$(@:.elf=.map)' $(CC) $(CFLAGS) -nostartfiles $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \

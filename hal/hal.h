@@ -24,6 +24,20 @@ enum hal_status {
     HAL_ETIMEDOUT = -110,
 };
 
+/*
+ * Where a function runs from. An image with tiers (-DCODE_TIERS) finds it in a section .tier.TIER.*, of which the
+ * port's linker script gathers what the image has RAM for. Elsewhere the macro is nothing. Tiers of hal: interrupt what
+ * an interrupt runs while flash may be late or busy: RAM in every image loop       for each word, tile or piece of work
+ *   bus        for each write to the bus
+ */
+#ifdef CODE_TIERS
+#define HAL_TIER(tier)            HAL_TIER_SECTION(tier, __COUNTER__)
+#define HAL_TIER_SECTION(tier, n) HAL_TIER_NAMED(tier, n)
+#define HAL_TIER_NAMED(tier, n)   __attribute__((section(".tier." #tier "." #n)))
+#else
+#define HAL_TIER(tier)
+#endif
+
 struct board;
 
 enum hal_dc { HAL_COMMAND, HAL_DATA };

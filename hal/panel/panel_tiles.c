@@ -27,7 +27,7 @@ static inline uint32_t mix(uint32_t sign, uint32_t factor, const uint16_t *two_p
 }
 
 /* The signature of a whole tile. This is the only loop over all pixels of a frame. */
-static uint32_t sign_tile(const uint16_t *pixels, uint32_t stride, uint32_t lines, uint32_t factor)
+HAL_TIER(loop) static uint32_t sign_tile(const uint16_t *pixels, uint32_t stride, uint32_t lines, uint32_t factor)
 {
     uint32_t sign = 0;
     for (const uint16_t *end = pixels + stride * lines; pixels != end; pixels += stride) {
@@ -44,7 +44,7 @@ static uint32_t sign_tile(const uint16_t *pixels, uint32_t stride, uint32_t line
 }
 
 /* Continues a signature over n pixels in one piece. */
-static uint32_t sign_piece(uint32_t sign, uint32_t factor, const uint16_t *pixels, uint32_t n)
+HAL_TIER(loop) static uint32_t sign_piece(uint32_t sign, uint32_t factor, const uint16_t *pixels, uint32_t n)
 {
     for (; n >= 2; n -= 2, pixels += 2) {
         sign = mix(sign, factor, pixels);
@@ -59,6 +59,7 @@ static uint32_t tile_width(const struct panel_tiles *t)
     return t->width % 2 == 0 ? PANEL_TILE_PX : t->width;
 }
 
+HAL_TIER(loop)
 static uint32_t sign_of(const struct panel_tiles *t, const uint16_t *pixels, uint32_t column, uint32_t lines)
 {
     const uint32_t x = column * PANEL_TILE_PX;

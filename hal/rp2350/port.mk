@@ -8,10 +8,10 @@ PORT_SRC = $(if $(filter 2,$(CORES)),hal/chips/rp2/cores2.c,hal/chips/cortexm/on
 ifeq ($(ISA),riscv)
 PORT_CROSS = riscv64-unknown-elf-
 RV32 = -march=rv32imac_zicsr_zifencei_zba_zbb_zbkb -mabi=ilp32 # all that Hazard3 has and gcc 12 knows
-PORT_FLAGS = $(RV32) -msmall-data-limit=0 -isystem firmware/bare/include
+PORT_FLAGS = $(RV32) -msmall-data-limit=0 -DCODE_TIERS -isystem firmware/bare/include
 PORT_LIBS = -nostdlib "$$($(CROSS)gcc -march=rv32imac -mabi=ilp32 -print-libgcc-file-name)" # there is none for more
 else
-PORT_FLAGS = -mcpu=cortex-m33 -mthumb -mfloat-abi=soft
+PORT_FLAGS = -mcpu=cortex-m33 -mthumb -mfloat-abi=soft -DCODE_TIERS
 endif
 PORT_CORES = 1 2
 PORT_INFO = hal/chips/rp2/binary_info.c

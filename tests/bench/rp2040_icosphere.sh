@@ -15,7 +15,6 @@ mkdir -p "$dir/kits/$board"
 number() { sed -n "s/^$1 = \([0-9]*\).*/\1/p" "$2"; }
 code=31264 # with the loops alone in RAM, not all that a frame needs, and stack and variables
 scene=$(($(number CHIP_RAM_BYTES boards/families/pico.mk) - code))
-sed '/core\/fx\|core\/geom/d; s/\*firmware\/core\/render\/\*.o/*core\/render\/raster*.o/' hal/rp2040/rp2040.ld >"$dir/rp2040.ld"
 sed "s/board_pico_display_2 /board_${board//-/_} /; s/BUDGET_RP2040/.scene_bytes = $scene/" boards/pico-display-2/board.c >"$dir/kits/$board/board.c"
 cp boards/pico-display-2/board.mk "$dir/kits/$board"
 
@@ -38,7 +37,7 @@ run() { # folder below $dir for what comes out, options of emulate.mjs
 frames=7
 "$B/pinhole-sim" --size 320x240 --demo icosphere --frames $frames --crc >"$dir/expected"
 for cores in 1 2; do
-    make -s firmware BOARD_DIR="$dir/kits" BOARD=$board CORES=$cores APP="$(realpath "$dir")/icosphere.c" RAM_CODE=small PORT_LD="$dir/rp2040.ld" PORT_AHEAD_BYTES=0 >"$dir/$cores.made" || fail "no image"
+    make -s firmware BOARD_DIR="$dir/kits" BOARD=$board CORES=$cores APP="$(realpath "$dir")/icosphere.c" RAM_CODE=small PORT_RAM_TIERS='interrupt bus loop' PORT_AHEAD_BYTES=0 >"$dir/$cores.made" || fail "no image"
     elf=$B/firmware/$board-icosphere$([ $cores = 1 ] || echo -cores$cores)-small.elf
     run $cores --send 4:HG # after those that count: a line on the UART about frame 5
     grep '^frame [0-9]* crc32' "$dir/$cores.said" | cmp -s "$dir/expected" - || fail "not the picture of pinhole-sim"

@@ -7,9 +7,9 @@ set -eu
 cd "$(dirname "$0")/../.."
 B=${B:-build} program=${PROGRAM:-bench} core=${1-} scene=${2:-all} format=${3:-all}
 dir=$B/bench-$core
-mps2='code_at=0 data_at=0x21000000 timer_base=0x40000000 uart_base=0x40004000 instructions_a_tick=40'
-an505='code_at=0x10000000 data_at=0x80000000 timer_base=0x50000000 uart_base=0x50200000 instructions_a_tick=50'
-virt='code_at=0x80000000 data_at=0x80400000'
+mps2='code_origin=0 data_origin=0x21000000 timer_base=0x40000000 uart_base=0x40004000 instructions_a_tick=40'
+an505='code_origin=0x10000000 data_origin=0x80000000 timer_base=0x50000000 uart_base=0x50200000 instructions_a_tick=50'
+virt='code_origin=0x80000000 data_origin=0x80400000'
 case "$core" in
 m0plus) machine='arm -M mps2-an385' cpu=armv6m flags='-mcpu=cortex-m0plus -mthumb' places=$mps2 ;;
 m3) machine='arm -M mps2-an385' cpu=armv7m flags='-mcpu=cortex-m3 -mthumb' places=$mps2 ;;

@@ -44,7 +44,7 @@ listed() { "$B/pinhole-sim" --list | awk '$1 == "demo" && !/; by name only$/ { p
 a_dc_line_that_moves_early_is_seen() {
     local copy=$dir/copy
     mkdir "$copy" && cp -r Makefile firmware hal boards host-sim tests "$copy" || return 1
-    sed -i '/^static void wait_for_last_bit/,/^}/ s/while (.*SSPSR_BSY.*/while (false) {/' "$copy/hal/chips/rp2/spi.c"
+    sed -i '/static void wait_for_last_bit/,/^}/ s/while (.*SSPSR_BSY.*/while (false) {/' "$copy/hal/chips/rp2/spi.c"
     ! cmp -s hal/chips/rp2/spi.c "$copy/hal/chips/rp2/spi.c" && expect pico-display 2 || return 1
     mkdir -p "$copy/$B" && cp -r "$B/rp2040js" "$copy/$B" && cp "$B/pinhole-wire" "$copy/$B" || return 1
     (cd "$copy" && image pico-display 1) || return 1

@@ -174,26 +174,28 @@ an_uncalled_function() {
     uncalled "$dir/circle/new.c" "$dir/circle/new.h"
 }
 
-# ---- linker scripts ------------------------------------------------------------------------------
+# ---- names as configuration ----------------------------------------------------------------------
 
-# Names of functions in linker scripts that no source of their module has, nor a header: code that moves in silence. A
-# function of that name may well be inlined in an image.
-unnamed() { # linker script...
-    local object section name end
-    grep -o '\*[^ (]*([^)]*\.text\.[^)]*)' "$@" | sed 's/^[^*]*//' | tr '()' '  ' |
-        awk '{ for (i = 2; i <= NF; i++) { if ($i ~ /^\.text\.[a-z]/) { print $1, $i } } }' | sort -u | while read -r object section; do
-        name=${section#.text.} end='\('
-        [[ $name != *\* ]] || end='[a-z0-9_]*\(' name=${name%\*}
-        find firmware hal \( -path "${object%.o}.c" -o -name '*.h' -o -name '*.inc' \) -exec grep -hE "\\b$name$end" {} + | grep -q . ||
-            echo "$object($section)"
+# Functions' names outside C and assembly: code that moves, or a rule that ends, in silence when one is renamed. A linker
+# objects to an entry that is missing, and to a function that is wrapped.
+functions() { # folder...
+    find "$@" -name '*.[chS]' ! -path '*/emulate/*' -exec cat {} + | grep -oE '^[A-Za-z_][A-Za-z0-9_ *(),]*[ *][a-z][a-z0-9]*_[a-z0-9_]*\(' | grep -oE '[a-z0-9_]+\($' | tr -d '(' | sort -u
+}
+
+named() { # Makefile, linker script, awk program...
+    local file
+    for file; do
+        sed -E 's/ENTRY\([a-z0-9_]*\)|--wrap=[a-z_]*,--defsym=[a-z_=]*//; s|/\*.*\*/||; s/(^| )#.*//' "$file" >"$dir/text"
+        grep -oE '\.(text|rodata)\.[a-z_][A-Za-z0-9_.]*' "$dir/text" | sort -u | sed "s|^|$file: |"
+        grep -oE '[a-z][a-z0-9]*_[a-z0-9_]*' "$dir/text" | sort -u | grep -xFf "$dir/functions" | sed "s|^|$file: |"
     done
 }
 
-linker_scripts() { git ls-files '*.ld' 2>/dev/null | grep . || find firmware hal -name '*.ld'; }
+scripts() { { git ls-files Makefile '*.mk' '*.ld' '*.awk' 2>/dev/null | grep . || find Makefile firmware hal boards tests -name Makefile -o -name '*.mk' -o -name '*.ld' -o -name '*.awk'; } | grep -v stack.awk | xargs ls 2>/dev/null; }
 
-a_renamed_function() {
-    sed 's/\.text\.take_chunk/.text.take_chunks/' hal/rp2040/cores1/seldom.ld >"$dir/renamed.ld"
-    unnamed "$dir/renamed.ld"
+a_named_function() { # text
+    echo "$1" >"$dir/named.ld"
+    named "$dir/named.ld"
 }
 
 # ---- walls ---------------------------------------------------------------------------------------
@@ -251,9 +253,12 @@ check "the stack's bound knows every source that gives work to the other core" n
 check "... another one is seen" sees 'ahead.c gives work' an_unruled_source
 check "fuzz_total calls every public function but the renderer's own" none uncalled tests/core/fuzz_total.c firmware/core/*.h
 check "... one that it leaves out is seen" sees 'does not call fx_vec3_new$' an_uncalled_function
+functions firmware hal boards >"$dir/functions"
 # shellcheck disable=SC2046 # names are words
-check "every name in a linker script is a function of its module" none unnamed $(linker_scripts)
-check "... a renamed one is seen" sees 'take_chunks' a_renamed_function
+check "no linker script, Makefile or awk program has a function's name" none named $(scripts)
+check "... a section's is seen" sees 'named.ld: .text.merge$' a_named_function '*render/bands.o(.text.merge .text.*)'
+check "... and any other" sees 'named.ld: ph_draw_band$' a_named_function 'from ph_draw_band on'
+check "... but no tier" none a_named_function '*(.tier.mesh.*) *(.text .text.*)'
 check "no room can include what is another's" walls
 check "... a wall with a hole is seen" sees 'can include render.h' a_hole
 tap_end

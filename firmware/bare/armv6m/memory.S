@@ -5,8 +5,17 @@
     .syntax unified
     .thumb
 
-    .text
+    .macro section_of name /* in an image with tiers among the code that lies in RAM: core/kernels/portable/tier.h */
+#ifdef CODE_TIERS
+    .section .tier.loop.\name, "ax", %progbits
+#else
+    .section .text.\name, "ax", %progbits
+#endif
+    .p2align 1
+    .endm
+
 /* void *memcpy(void *to, const void *from, size_t n) */
+    section_of memcpy
     .global memcpy
     .type memcpy, %function
     .thumb_func
@@ -48,6 +57,7 @@ memcpy:
     .size memcpy, . - memcpy
 
 /* void *memset(void *to, int value, size_t n) */
+    section_of memset
     .global memset
     .type memset, %function
     .thumb_func

@@ -20,7 +20,7 @@ static struct {
 
 static volatile bool core0_waits; /* for core 1: it takes work from it */
 
-static void push(uint32_t word)
+HAL_TIER(loop) static void push(uint32_t word)
 {
     __asm volatile("" ::: "memory"); /* all that the other core reads is in memory by now */
     while ((REG(SIO_FIFO_ST) & FIFO_WRITABLE) == 0) {
@@ -29,7 +29,7 @@ static void push(uint32_t word)
     cpu_send_event();
 }
 
-static uint32_t pull(void)
+HAL_TIER(loop) static uint32_t pull(void)
 {
     while ((REG(SIO_FIFO_ST) & FIFO_READABLE) == 0) {
         cpu_wait_event();
@@ -44,14 +44,14 @@ static void drain(void)
     }
 }
 
-static void give(void (*run)(void *argument), void *argument)
+HAL_TIER(loop) static void give(void (*run)(void *argument), void *argument)
 {
     push((uint32_t)run);
     push((uint32_t)argument);
 }
 
 /* A core's turn: its run and argument come from the other core, which gets a 0. */
-static inline void take(uint32_t run)
+HAL_TIER(loop) static inline void take(uint32_t run)
 {
     void *const argument = (void *)pull();
     ((void (*)(void *))run)(argument);
@@ -98,7 +98,7 @@ static bool is_core1(void)
     return REG(SIO_CPUID) != 0;
 }
 
-void port_core_join(void)
+HAL_TIER(loop) void port_core_join(void)
 {
     if (is_core1()) {
         (void)pull();
@@ -111,7 +111,7 @@ void port_core_join(void)
     }
 }
 
-bool port_core_run(void (*run)(void *argument), void *argument)
+HAL_TIER(loop) bool port_core_run(void (*run)(void *argument), void *argument)
 {
     if (is_core1() ? !core0_waits : core1.busy && (REG(SIO_FIFO_ST) & FIFO_READABLE) == 0) {
         return false;

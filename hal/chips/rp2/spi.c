@@ -50,24 +50,24 @@ static struct {
     volatile uint32_t given, sent;
 } spi;
 
-static void wait_for_last_bit(void)
+HAL_TIER(interrupt) static void wait_for_last_bit(void)
 {
     while ((REG(SPI_SSPSR(spi.unit)) & SSPSR_BSY) != 0) {
     }
 }
 
-static inline void set_level(uint32_t pins, bool high)
+HAL_TIER(interrupt) static inline void set_level(uint32_t pins, bool high)
 {
     REG(high ? SIO_GPIO_OUT_SET : SIO_GPIO_OUT_CLR) = pins;
 }
 
-static inline void chip_select(bool selected)
+HAL_TIER(interrupt) static inline void chip_select(bool selected)
 {
     set_level(spi.select_pin, selected != spi.select_low);
 }
 
 /* Only while the bus is idle. */
-static void set_word(uint32_t bits)
+HAL_TIER(interrupt) static void set_word(uint32_t bits)
 {
     REG(SPI_SSPCR1(spi.unit)) = 0;
     REG(SPI_SSPCR0(spi.unit)) = spi.cr0 | (bits - 1);
@@ -76,7 +76,7 @@ static void set_word(uint32_t bits)
 }
 
 /* The words that go into the unit from now on have this width and this D/C. */
-static inline void turn_to(uint32_t bits, uint32_t dc)
+HAL_TIER(interrupt) static inline void turn_to(uint32_t bits, uint32_t dc)
 {
     if (dc != spi.dc || bits != spi.bits) {
         wait_for_last_bit();
@@ -90,7 +90,7 @@ static inline void turn_to(uint32_t bits, uint32_t dc)
     chip_select(true);
 }
 
-static void send_copied(const struct write *w)
+HAL_TIER(interrupt) static void send_copied(const struct write *w)
 {
     uint32_t data = w->data;
     for (uint32_t i = 0; i < w->count; i++, data >>= 1) {
@@ -102,7 +102,7 @@ static void send_copied(const struct write *w)
 }
 
 /* Starts the first row; the DMA is idle. */
-static void start_rows(const struct write *w)
+HAL_TIER(interrupt) static void start_rows(const struct write *w)
 {
     const uint32_t bits = ((w->n | w->stride | (uintptr_t)w->bytes) & 1) == 0 ? 16 : 8;
     const uint32_t pace =
@@ -117,7 +117,7 @@ static void start_rows(const struct write *w)
 }
 
 /* Sends short writes until one has rows, and starts that one. The DMA is idle, and nothing interrupts. */
-static void go_on(void)
+HAL_TIER(interrupt) static void go_on(void)
 {
     for (uint32_t next = spi.sent; next != spi.given; spi.sent = ++next) {
         const struct write *w = &spi.writes[next % WRITES];
@@ -130,7 +130,7 @@ static void go_on(void)
 }
 
 /* The DMA has read a whole row. */
-void rp2_spi_interrupt(void)
+HAL_TIER(interrupt) void rp2_spi_interrupt(void)
 {
     REG(DMA_INTS0) = 1;
     if (--spi.rows_left > 0) {
@@ -278,7 +278,7 @@ static void write_rows(enum hal_dc dc, const uint8_t *bytes, uint32_t n, uint32_
     give();
 }
 
-int rp2_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+HAL_TIER(bus) int rp2_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     (void)context;
     if (n > HAL_COPIED) {
