@@ -47,7 +47,7 @@
 #   SPEED             optional: the command of `make speed`
 #   FLASH             the command of `make flash`, for $(IMAGE).elf, .bin or .uf2; firmware/tools/flash_with.sh runs others' tools
 #   FLASH_NEEDS       what is made for it first, on the computer
-# A port's operations are functions named <port>_<operation of struct hal_ops>, so that the check of the stack finds them.
+# The check of the stack finds a port's operations where its struct hal_ops names them (.bus_write = ..): firmware/tools/stack.awk.
 # All code of a port is compiled with -Wconversion. APP's file has the image's main(); see hal/port.h, firmware/app/image.h
 # and firmware/app/runner.h. board_here.c gives each image its board and its memory.
 

@@ -86,7 +86,7 @@ static void place_buffers(struct runner *runner, const struct picture_memory *p)
 static void drop_ahead(struct runner *runner)
 {
     if (runner->ahead) {
-        runner->config.other_core_join();
+        runner->config.other_core_join(); /* calls other_core_join, each */
         runner->ahead = false;
     }
 }
@@ -209,7 +209,7 @@ int runner_scene(struct runner *runner, uint32_t frame)
     return a->status;
 }
 
-static void make_ahead(void *argument)
+static void make_ahead(void *argument) /* called as ahead */
 {
     struct runner_ahead *const a = argument;
     a->status = a->demo->frame(&a->context, &a->renderer, a->frame);

@@ -136,7 +136,7 @@ uint32_t port_start(void)
 }
 
 /* Bits of RESC add up until somebody clears them. */
-void port_facts(port_put put)
+void port_facts(port_put put) /* calls fact */
 {
     static const char *const reasons[] = {" the reset pin;", " power on;", " brown-out;",
                                           " the watchdog;",  " software;", " the LDO;"};
@@ -157,7 +157,7 @@ void port_facts(port_put put)
     put("\n", 0, PORT_TEXT);
 }
 
-void port_log(const char *text)
+void port_log(const char *text) /* called as put */
 {
     for (; *text != '\0'; text++) {
         while ((UART_FR & FR_TXFF) != 0) {

@@ -33,7 +33,7 @@ static inline uintptr_t rom_word(uintptr_t address)
 static inline void start_boot_loader(void)
 {
     lookup_fn *const lookup = (lookup_fn *)rom_word(0x18);
-    ((reset_usb_boot_fn *)lookup((const uint16_t *)rom_word(0x14), 'U' | 'B' << 8))(0, 0);
+    ((reset_usb_boot_fn *)lookup((const uint16_t *)rom_word(0x14), 'U' | 'B' << 8))(0, 0); /* calls rom */
 }
 
 #endif

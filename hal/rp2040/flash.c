@@ -236,7 +236,7 @@ ONCE void measure(struct rp2_flash_facts *facts)
 }
 
 /* Core 1 waits here until *waits is false. */
-ONCE void stay(void *waits)
+ONCE void stay(void *waits) /* called as run */
 {
     cpu_interrupts_off();
     *(volatile uint32_t *)waits = 2;

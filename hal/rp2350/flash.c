@@ -192,7 +192,7 @@ void rp2_flash_open(void)
 }
 
 /* Core 1 waits here until *waits is false. */
-static void stay(void *waits)
+static void stay(void *waits) /* called as run */
 {
     cpu_interrupts_off();
     *(volatile uint32_t *)waits = 2;

@@ -212,7 +212,7 @@ uint32_t port_start(void)
 }
 
 /* Flags of RCC_CSR (RM0090 6.3.21); they add up until a power-on, so that several may be set. */
-static void put_start(port_put put)
+static void put_start(port_put put) /* calls fact */
 {
     static const struct {
         uint32_t bit;
@@ -231,7 +231,7 @@ static void put_start(port_put put)
     put("\n", 0, PORT_TEXT);
 }
 
-void port_facts(port_put put)
+void port_facts(port_put put) /* calls fact */
 {
     put("chip STM32F4, id ", IDCODE, PORT_HEX);
     put("\n", 0, PORT_TEXT);
@@ -242,7 +242,7 @@ void port_facts(port_put put)
     put("\n", 0, PORT_TEXT);
 }
 
-void port_log(const char *text)
+void port_log(const char *text) /* called as put */
 {
     for (; *text != '\0'; text++) {
         while ((USART_SR & USART_TXE) == 0) {

@@ -13,7 +13,7 @@ uint32_t port_start(void)
     return 16000000; /* Hz */
 }
 
-void port_log(const char *text)
+void port_log(const char *text) /* called as put */
 {
     (void)text;
 }
@@ -27,7 +27,7 @@ void port_boot_loader(void)
 {
 }
 
-void port_facts(port_put put)
+void port_facts(port_put put) /* calls fact */
 {
     put("chip: this port does not tell", 0, PORT_TEXT);
     put("\n", 0, PORT_TEXT);

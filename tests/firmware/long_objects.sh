@@ -56,6 +56,23 @@ check "the_check_sees_the_heap" objects_to malloc symbols 'void *malloc(unsigned
 check "the_check_sees_recursion" objects_to recursion stack 'int g(int); int f(int n); int f(int n) { return n ? g(f(n - 1)) : 0; }'
 check "the_check_sees_a_large_frame" objects_to 'stack: f' stack 'void g(char *); void f(void); void f(void) { char big[6200]; g(big); }'
 check "the_check_sees_a_VLA" objects_to dynamic stack 'void g(char *); void f(int n); void f(int n) { char big[n]; g(big); }'
+check "the_check_sees_recursion_through_a_member" objects_to recursion stack '
+struct s { int (*up)(int n); }; extern struct s all[]; static int f(int n)
+{
+    return n ? all[n].up(n - 1) + 1 : 0;
+}
+struct s all[] = {{.up = f}, {.up = 0}};'
+check "the_check_sees_recursion_through_an_argument" objects_to recursion stack '
+int g(int (*run)(int)); int g(int (*run)(int))
+{
+    return run(3) + 1;
+}
+int f(int n); int f(int n) /* called as run */
+{
+    return n ? g(f) + 1 : 0;
+}'
+check "the_check_sees_a_function_that_is_given_away" objects_to 'f is given away' stack 'int g(int (*run)(int)); int f(int n); int f(int n) { return n ? g(f) + 1 : 0; }'
+check "the_check_sees_a_pointer_without_a_name" objects_to 'it has no name' stack 'int f(long n); int f(long n) { return ((int (*)(void))n)() + 1; }'
 check "the_check_sees_a_static_variable" objects_to count written 'int f(void); int f(void) { static int count; return count++; }'
 
 for cpu in "armv6m cortex-m0plus" "armv7m cortex-m3"; do

@@ -30,7 +30,7 @@ renaming='s/\btake_slot\b/fetch_slot/g; s/\bgo_on\b/carry_on/g; s/\bph_line_pixe
 
 rename_three() {
     copy renamed && find "$dir/renamed/firmware" "$dir/renamed/hal" -name '*.[chS]' -exec sed -i "$renaming" {} + &&
-        for name in take_slot go_on ph_line_pixels; do ! grep -rqw "$name" "$dir/renamed/firmware/core" "$dir/renamed/hal/rp2040" || return 1; done
+        for name in take_slot go_on ph_line_pixels; do ! grep -rqw "$name" "$dir/renamed/firmware/core" "$dir/renamed/hal" || return 1; done
 }
 
 as_before() { # folder
@@ -45,13 +45,13 @@ in_ram() { # name...: sections of the first image
 }
 
 loses_a_tier() {
-    copy loses && sed -i 's/HAL_TIER(interrupt) static void go_on/static void go_on/' "$dir/loses/hal/rp2040/spi.c" &&
-        ! cmp -s hal/rp2040/spi.c "$dir/loses/hal/rp2040/spi.c" && image "$dir/loses" && ! as_before loses && ! reached_lies_in_ram loses
+    copy loses && sed -i 's/HAL_TIER(interrupt) static void go_on/static void go_on/' "$dir/loses/hal/chips/rp2/spi.c" &&
+        ! cmp -s hal/chips/rp2/spi.c "$dir/loses/hal/chips/rp2/spi.c" && image "$dir/loses" && ! as_before loses && ! reached_lies_in_ram loses
 }
 
 # What the interrupt runs, by gcc's call graph: none of it lies elsewhere.
 reached_lies_in_ram() { # folder
-    local graph=$dir/$1/build/firmware/pico-display-objects/hal/rp2040/spi.ci
+    local graph=$dir/$1/build/firmware/pico-display-objects/hal/chips/rp2/spi.ci
     layout "$dir/$1/build/firmware/pico-display-demos.elf" >"$dir/layout"
     awk -F'"' '/^edge:/ { from[++n] = $2; to[n] = $4 }
         END {

@@ -143,22 +143,6 @@ odd_beginnings() { # folder...: comments that have to be read twice
         '(/\*+|//|^ *#|^ *\*) *(What of|Of this)\b' "$@"
 }
 
-# ---- call graphs ---------------------------------------------------------------------------------
-
-# Sources that give work to the other core, of which the rule for the bound of the stack does not know.
-unruled() { # source...
-    local rule file
-    rule=$(grep 'rule("firmware/core/(.*port_core_(run|join)' firmware/tools/stack.awk) || { echo "firmware/tools/stack.awk has no such rule" && return 1; }
-    grep -lE '\b(ph_run_both|other_core)\(' "$@" | while read -r file; do
-        grep -qE "[(/|]$(basename "$file" .c)"'\\\\\.c:' <<<"$rule" || echo "$file gives work to the other core, and firmware/tools/stack.awk does not know it"
-    done
-}
-
-an_unruled_source() {
-    echo 'void f(void) { ph_run_both(r, share, &mine, &others); }' >"$dir/circle/ahead.c"
-    unruled "$dir/circle/ahead.c"
-}
-
 # ---- totality -------------------------------------------------------------------------------------
 
 # Functions of these headers, but of the renderer's, that a test does not name.
@@ -191,7 +175,7 @@ named() { # Makefile, linker script, awk program...
     done
 }
 
-scripts() { { git ls-files Makefile '*.mk' '*.ld' '*.awk' 2>/dev/null | grep . || find Makefile firmware hal boards tests -name Makefile -o -name '*.mk' -o -name '*.ld' -o -name '*.awk'; } | grep -v stack.awk | xargs ls 2>/dev/null; }
+scripts() { { git ls-files Makefile '*.mk' '*.ld' '*.awk' 2>/dev/null | grep . || find Makefile firmware hal boards tests -name Makefile -o -name '*.mk' -o -name '*.ld' -o -name '*.awk'; } | xargs ls 2>/dev/null; }
 
 a_named_function() { # text
     echo "$1" >"$dir/named.ld"
@@ -249,8 +233,6 @@ check "... 301 are seen" sees 'has 301 lines' long_readme "$dir/long.md"
 check "no comment begins with words that have to be read twice" none odd_beginnings "${product[@]}" tests Makefile
 printf 'int a;\n/* %s of a line is drawn. */\n' What >"$dir/circle/odd.c"
 check "... one that does is seen" sees 'odd.c:2' odd_beginnings "$dir/circle"
-check "the stack's bound knows every source that gives work to the other core" none unruled firmware/core/*/*.c
-check "... another one is seen" sees 'ahead.c gives work' an_unruled_source
 check "fuzz_total calls every public function but the renderer's own" none uncalled tests/core/fuzz_total.c firmware/core/*.h
 check "... one that it leaves out is seen" sees 'does not call fx_vec3_new$' an_uncalled_function
 functions firmware hal boards >"$dir/functions"

@@ -94,7 +94,7 @@ static char *put_digits(char *to, uint64_t v, int digits)
 }
 
 /* Writes digits[0 .. count - 1], the first of which has the weight 10^exponent. */
-static void place_point(char *to, const char *digits, int count, int exponent)
+static void place_point(char *to, const char *digits, int count, int exponent) /* called as form */
 {
     for (int i = exponent < 0 ? exponent : 0; i < count || i <= exponent; i++) {
         if (i == exponent + 1 && i > 0) {
@@ -108,7 +108,7 @@ static void place_point(char *to, const char *digits, int count, int exponent)
     *to = '\0';
 }
 
-static void exponent_form(char *to, const char *digits, int count, int exponent)
+static void exponent_form(char *to, const char *digits, int count, int exponent) /* called as form */
 {
     *to++ = digits[0];
     if (count > 1) {
@@ -151,7 +151,7 @@ static void put_number(struct lab_num v, int places, char text[LAB_TEXT_SIZE])
     while (count > 1 && digits[count - 1] == '0') {
         count--;
     }
-    (exponent < -4 || exponent > 8 ? exponent_form : place_point)(text, digits, count, exponent);
+    (exponent < -4 || exponent > 8 ? exponent_form : place_point)(text, digits, count, exponent); /* calls form */
 }
 
 void lab_num_text(struct lab_num v, char text[LAB_TEXT_SIZE])

@@ -119,12 +119,12 @@ static void report(const struct runner *runner, struct console *console, uint32_
     console->line_frame = frame + 1;
 }
 
-static void log_text(const char *text)
+static void log_text(const char *text) /* called as put */
 {
     port_log(text[0] == '\n' ? "\r\n" : text);
 }
 
-static void log_fact(const char *text, uint32_t value, enum port_form form)
+static void log_fact(const char *text, uint32_t value, enum port_form form) /* called as fact */
 {
     log_text(text);
     if (form != PORT_TEXT) {
@@ -167,7 +167,7 @@ static int run(struct runner *runner)
 }
 
 /* It is run on the other core, to see if there is one. */
-static void do_nothing(void *argument)
+static void do_nothing(void *argument) /* called as run */
 {
     (void)argument;
 }

@@ -6,7 +6,7 @@
 #include "lab_request.h"
 #include "port.h"
 
-static void put(void *context, const char *text)
+static void put(void *context, const char *text) /* called as put */
 {
     (void)context;
     port_log(text);

@@ -201,7 +201,7 @@ struct blur_share {
     bool across;            /* the second pass */
 };
 
-static void blur_share(void *argument)
+static void blur_share(void *argument) /* called as run */
 {
     const struct blur_share *const s = argument;
     const int fine = s->r->fine;

@@ -264,7 +264,7 @@ struct set_up_share {
     uint32_t core;
 };
 
-PH_TIER(figure) static void set_up_fresh(void *argument)
+PH_TIER(figure) static void set_up_fresh(void *argument) /* called as run */
 {
     const struct set_up_share *const mine = argument;
     struct fresh *const s = mine->fresh;
@@ -357,7 +357,7 @@ struct share {
 };
 
 /* Nobody changes the list meanwhile. */
-PH_TIER(figure) static void draw_share(void *argument)
+PH_TIER(figure) static void draw_share(void *argument) /* called as run */
 {
     struct share *const s = argument;
     struct fresh *const fresh = s->then.fresh;

@@ -274,7 +274,7 @@ static void draw_kind(struct overlay *o, bool blends)
     }
 }
 
-static void draw_share(void *argument)
+static void draw_share(void *argument) /* called as run */
 {
     struct ph_share *const s = argument;
     struct ph_renderer *const r = s->r;

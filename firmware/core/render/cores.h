@@ -32,7 +32,7 @@ struct ph_share {
 };
 
 /* Has that many rows of a band drawn here, and the others by the other core; or all of it here, if there are 0 such
- * rows or the other core is not idle. draw takes a struct ph_share, whose fragments are counted. */
-void ph_draw_in_parts(struct ph_renderer *r, const struct ph_band *band, int32_t rows, void (*draw)(void *share));
+ * rows or the other core is not idle. run takes a struct ph_share, whose fragments are counted. */
+void ph_draw_in_parts(struct ph_renderer *r, const struct ph_band *band, int32_t rows, void (*run)(void *share));
 
 #endif

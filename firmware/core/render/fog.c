@@ -53,7 +53,7 @@ void ph_fog_find(struct ph_fog_here *fog, uint32_t code)
 }
 
 /* Fogs the pixels that are not empty. */
-static void fog_share(void *argument)
+static void fog_share(void *argument) /* called as run */
 {
     const struct ph_share *const s = argument;
     const struct ph_band *const band = &s->band;

@@ -142,7 +142,7 @@ struct each_share {
     uint32_t core, seen;
 };
 
-static void each_share(void *argument)
+static void each_share(void *argument) /* called as each */
 {
     struct each_share *const s = argument;
     struct each_lent *const with = s->with;
@@ -263,7 +263,7 @@ PH_TIER(figure) static bool list_stopped(const struct part_context *c, struct ph
     return true;
 }
 
-PH_TIER(figure) static void cull_share(void *argument)
+PH_TIER(figure) static void cull_share(void *argument) /* called as run */
 {
     struct cull_share *const s = argument;
     while (!s->must_clip && ph_cull(&s->run)) {
@@ -333,7 +333,7 @@ struct light_share {
 };
 
 /* Lights the vertices that ph_cull has marked. */
-PH_TIER(mesh) static void light_share(void *argument)
+PH_TIER(mesh) static void light_share(void *argument) /* called as run */
 {
     const struct light_share *const s = argument;
     const struct part_context *const c = s->c;

@@ -89,7 +89,7 @@ PH_TIER(mesh) int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
         if (c.height > 0) {
             gather(pixels, width, &c);
             put_in_order(pixels, c.width * c.height, config->pixel_order);
-            status = flush(context, c.x, y + c.y, c.width, c.height, pixels);
+            status = flush(context, c.x, y + c.y, c.width, c.height, pixels); /* calls flush */
         }
     }
     r->is_shown = status == PH_OK;

@@ -12,7 +12,7 @@ struct skin_share {
     uint32_t first, count;
 };
 
-static void skin_share(void *argument)
+static void skin_share(void *argument) /* called as run */
 {
     const struct skin_share *const s = argument;
     const uint32_t first = s->first;

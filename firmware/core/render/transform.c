@@ -168,8 +168,8 @@ struct part_of_mesh {
 
 /* The place of the next vertex in clip coordinates; usual: ph_vertices has stopped there. */
 PH_TIER(scenery)
-static PH_NOINLINE struct fx_vec3
-    before_divide(const struct ph_vertex_run *run, const struct ph_clip_matrix *m, bool usual)
+static PH_NOINLINE struct fx_vec3 before_divide(const struct ph_vertex_run *run, const struct ph_clip_matrix *m,
+                                                bool usual)
 {
     if (!ph_matvec_in_range(&run->matvec, run->from)) {
         return ph_matrix_mul(m, run->from);
@@ -177,7 +177,7 @@ static PH_NOINLINE struct fx_vec3
     return usual ? run->at : ph_matvec_near(&run->matvec, run->from);
 }
 
-PH_TIER(mesh) static void transform_part(void *argument)
+PH_TIER(mesh) static void transform_part(void *argument) /* called as run */
 {
     struct part_of_mesh *const p = argument;
     const struct ph_renderer *const r = p->r;

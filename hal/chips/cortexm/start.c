@@ -39,7 +39,7 @@ static struct {
     bool ending;
 } machine;
 
-static void tick(void)
+static void tick(void) /* called as vector */
 {
     machine.tick_us_at += TICK_US;
 }
@@ -119,7 +119,7 @@ uint32_t port_stack_used(void)
 }
 
 /* A boot loader before the image may have left its own vectors in VTOR. */
-void cortexm_start(void)
+void cortexm_start(void) /* called as vector */
 {
     VTOR = (uint32_t)(uintptr_t)vectors;
     const uint32_t words = words_between(ld_data_start, ld_data_end);
@@ -202,7 +202,7 @@ void cortexm_fault_report(uint32_t pc, uint32_t lr, uint32_t saved)
 }
 
 /* Reads what the exception saved, then starts the report on an empty stack, for the old one may be full. */
-__attribute__((naked)) static void on_fault(void)
+__attribute__((naked)) static void on_fault(void) /* called as vector */
 {
     __asm__ volatile("mrs r3, msp\n"
                      "ldr r2, =ld_stack_start\n"

@@ -59,7 +59,7 @@ HAL_TIER(loop) static inline void take(uint32_t run)
 }
 
 /* Core 1. */
-static _Noreturn void serve(void)
+static _Noreturn void serve(void) /* called as vector */ /* calls run, each, ahead */
 {
     rp2_guard((uint32_t)(uintptr_t)stack, GUARD_BYTES_LOG2);
     for (;;) {
@@ -98,7 +98,7 @@ static bool is_core1(void)
     return REG(SIO_CPUID) != 0;
 }
 
-HAL_TIER(loop) void port_core_join(void)
+HAL_TIER(loop) void port_core_join(void) /* calls run */
 {
     if (is_core1()) {
         (void)pull();

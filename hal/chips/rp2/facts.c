@@ -12,7 +12,7 @@ struct reason {
     const char *text;
 };
 
-static void put_text(port_put put, const char *text)
+static void put_text(port_put put, const char *text) /* calls fact */
 {
     put(text, 0, PORT_TEXT);
 }
@@ -42,7 +42,7 @@ static uint32_t measured_khz(uint32_t source)
     return khz;
 }
 
-static void put_clocks(port_put put)
+static void put_clocks(port_put put) /* calls fact */
 {
     put("clocks by the 12 MHz crystal, kHz: sys ", measured_khz(FC0_SRC_CLK_SYS), PORT_DECIMAL);
     put(", peri ", measured_khz(FC0_SRC_CLK_PERI), PORT_DECIMAL);
@@ -52,7 +52,7 @@ static void put_clocks(port_put put)
 
 /* REASON is 0 after every other reset than the watchdog's. A start after the watchdog of this image has bitten never
  * comes here (start.c), so that a boot loader let it run out. */
-static void put_start(port_put put)
+static void put_start(port_put put) /* calls fact */
 {
     static const struct reason reasons[] = {CHIP_RESETS};
     const uint32_t watchdog = REG(WATCHDOG_REASON), reset = REG(CHIP_RESET);
@@ -71,7 +71,7 @@ static void put_start(port_put put)
     put_text(put, "\n");
 }
 
-static void put_flash(port_put put)
+static void put_flash(port_put put) /* calls fact */
 {
     struct rp2_flash_facts f;
     rp2_flash_measure(&f);
@@ -89,7 +89,7 @@ static void put_flash(port_put put)
     put_text(put, "\n");
 }
 
-void port_facts(port_put put)
+void port_facts(port_put put) /* calls fact */
 {
     const uint32_t id = REG(SYSINFO_CHIP_ID);
     put("chip " CHIP_NAME ", id ", id, PORT_HEX);

@@ -75,7 +75,7 @@ void rp2_timer_interrupt(void)
 }
 
 /* The pin latches its edge, so this first clears an edge from before the call. */
-static int rp2_te_wait(void *context, uint32_t timeout_us)
+static int rp2_te_wait(void *context, uint32_t timeout_us) /* called as te_wait */
 {
     const struct board *const *open = context;
     const uint32_t pin = (*open)->pins.tearing.number, start = rp2_time_us(context);

@@ -19,7 +19,7 @@ void rp2_uart_init(void)
     rp2_pin_function(UART_RX_PIN, FUNCTION_UART);
 }
 
-void port_log(const char *text)
+void port_log(const char *text) /* called as put */
 {
     for (; *text != '\0'; text++) {
         while ((REG(UART0_FR) & FR_TXFF) != 0) {

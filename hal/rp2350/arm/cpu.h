@@ -20,7 +20,8 @@ static inline void start_boot_loader(void)
     uintptr_t at = 0x16;
     __asm("" : "+r"(at));
     lookup_fn *const lookup = (lookup_fn *)(uintptr_t) * (const uint16_t *)at;
-    ((reboot_fn *)lookup('R' | 'B' << 8, 4))(0x102, 10, 0, 0); /* secure Arm; boot loader, does not return */
+    /* Secure Arm; boot loader, does not return. */
+    ((reboot_fn *)lookup('R' | 'B' << 8, 4))(0x102, 10, 0, 0); /* calls rom */
 }
 
 #endif
