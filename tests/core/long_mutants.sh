@@ -47,7 +47,7 @@ no clamp at the left border              | render/edge.h    | s/ph_max((int32_t)
 no clamp of texels at the left border    | kernels/texture_tile.h | s/left > 0 ? left : 0/left/                | test_texture
 one triangle over the budget             | render/list.c    | s/most : r->config.triangle_max/most : r->config.triangle_max + 1/ | test_frame
 a clamped triangle loses a column        | render/small_texels.c | s/MARGIN + 1 + MARGIN/PH_TILE/                     | test_depth_slopes
-light of pieces of a row adds up         | render/small_texels.c | s/s->rows.light = row_light;//                     | test_texture_light
+light of pieces of a row adds up         | render/small_texels.c | s/r->row.light = light;//                     | test_texture_light
 a draw without its camera                | render/list.c    | s/if (lens == PH_NONE)/if (lens == 1)/               | test_frame
 a colour's alphas forgotten              | render/blended.c | s/ && !o->has_keys) {/) {/                           | test_blended
 a shadow goes on behind a cut triangle   | effects/shadow.c | s/ph_list_again(c->r, &c->draw)/ph_list_draw(c->r, \&c->draw)/ | test_shadow

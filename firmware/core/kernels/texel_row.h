@@ -12,8 +12,21 @@
 
 #include <stdint.h>
 
+/* Rows of texels between two edges, from one on: those of a tile, or of a small triangle. */
+struct ph_texel_rows {
+    uint32_t left, right, d; /* edges as in ph_edge, and depth (a 16.16 code) at column 0 */
+    uint32_t left_dx, right_dx, d_dy;
+    uint16_t *depth, *pixels; /* of column 0 */
+    uint32_t stride_bytes;    /* from row to row, of both */
+    uint32_t gd;              /* depth per column */
+    uint32_t u_mask, v_mask;  /* of the column's and the row's bits in the index of a texel */
+    const uint16_t *texels;
+    uint32_t rows;
+    uint32_t light, light_dy, glight; /* 32nds in 2^-24 at column 0, per row and per column; not of unlit kernels */
+};
+
 /* u or v along a row: at its first pixel, its step there, and that step's own, which it takes behind every second
- * pixel, counted from the last one. Units are those of struct ph_texel_rows. */
+ * pixel, counted from the last one. Units are those of struct ph_tile_rows. */
 struct ph_texel_walk {
     uint32_t at, step, bend;
 };

@@ -20,19 +20,11 @@ struct ph_texel_line {
 };
 
 struct ph_texel_run {
-    uint32_t left, right, d; /* edges as in ph_edge, and depth (a 16.16 code) at column 0 */
-    uint32_t left_dx, right_dx, d_dy;
-    struct ph_texel_line u, v; /* units as in ph_texel_rows */
-    uint16_t *depth, *pixels;  /* of column 0 of the first row */
-    uint32_t stride_bytes;
-    uint32_t gd;             /* depth per column */
-    uint32_t u_mask, v_mask; /* as in ph_texel_rows */
-    const uint16_t *texels;
-    uint32_t rows; /* until the lower edge takes the place of the left or of the right one; above 0 */
-    uint32_t lower_rows, lower_is_right, lower_x, lower_dx; /* 0 rows or more; 0, 1; as left and left_dx */
+    struct ph_texel_rows row;                               /* until the lower edge takes over; above 0 rows */
     uint32_t x;                                             /* column 0 in the picture, for the caller's use */
-    uint32_t light, light_dy, glight;                       /* of ph_texel_run_rows: 32nds in 2^-24, at column 0 */
-    uint32_t kind; /* ... how a row is drawn: PH_TEXEL_ROW_LIT, PH_TEXEL_ROW_SMOOTH */
+    struct ph_texel_line u, v;                              /* units as in ph_tile_rows */
+    uint32_t lower_rows, lower_is_right, lower_x, lower_dx; /* 0 rows or more; 0, 1; as left and left_dx */
+    uint32_t kind; /* of ph_texel_run_rows, how a row is drawn: PH_TEXEL_ROW_LIT, PH_TEXEL_ROW_SMOOTH */
 };
 
 /* Draws the rows and returns the number of their pixels. No row has more than PH_SMALL_COLUMNS. Afterwards u and v
@@ -49,15 +41,15 @@ uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row);
 static inline bool ph_texel_run_lower(struct ph_texel_run *r)
 {
     if (r->lower_is_right != 0) {
-        r->right = r->lower_x;
-        r->right_dx = r->lower_dx;
+        r->row.right = r->lower_x;
+        r->row.right_dx = r->lower_dx;
     } else {
-        r->left = r->lower_x;
-        r->left_dx = r->lower_dx;
+        r->row.left = r->lower_x;
+        r->row.left_dx = r->lower_dx;
     }
-    r->rows = r->lower_rows;
+    r->row.rows = r->lower_rows;
     r->lower_rows = 0;
-    return r->rows > 0;
+    return r->row.rows > 0;
 }
 
 /* Coefficients of the next row. */

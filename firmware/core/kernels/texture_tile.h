@@ -13,6 +13,8 @@
 #ifndef PH_TEXTURE_TILE_H
 #define PH_TEXTURE_TILE_H
 
+#include "texel_row.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -24,25 +26,17 @@ struct ph_texel_way {
     uint32_t at_ddy, step_ddy;        /* how much that grows */
 };
 
-struct ph_texel_rows {
-    uint32_t left, right; /* edges at the row, as in ph_edge; columns count from column 0 of the tile */
-    uint32_t left_dx, right_dx;
-    uint32_t d, d_dy;         /* depth at column 0, 16.16 code, and per row */
-    uint16_t *depth, *pixels; /* of column 0 */
-    uint32_t stride_bytes;    /* from row to row, of both */
-    uint32_t gd;              /* depth per column */
-    uint32_t u_mask, v_mask;  /* of the column's and the row's bits in the index of a texel */
-    const uint16_t *texels;
-    uint32_t columns; /* of the tile that are in the picture: 1 .. PH_TILE; one more of a small triangle */
-    uint32_t rows, count;
-    uint32_t u_outside, v_outside;    /* the bits that u and v have outside a clamped texture; 0: nothing is outside */
-    struct ph_texel_way u, v;         /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16 */
-    uint32_t light, glight, light_dy; /* for the caller's use: 32nds in 2^-24 at column 0, per column and per row */
+struct ph_tile_rows {
+    struct ph_texel_rows row;      /* column 0 is that of the tile */
+    uint32_t columns;              /* of the tile that are in the picture: 1 .. PH_TILE; one more of a small triangle */
+    uint32_t count;                /* pixels drawn */
+    uint32_t u_outside, v_outside; /* the bits that u and v have outside a clamped texture; 0: nothing is outside */
+    struct ph_texel_way u, v;      /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16 */
 };
 
 /* Draws rows, at least one. It stops before a row that begins or ends outside a clamped texture. Afterwards everything
  * stands at the next row, `rows` is the number of rows left, and `count` has grown by the pixels. */
-void ph_texture_tile(struct ph_texel_rows *r);
+void ph_texture_tile(struct ph_tile_rows *r);
 
 /* Coefficients of the next row. */
 static inline void ph_texel_way_down(struct ph_texel_way *w)

@@ -21,7 +21,7 @@ static inline void set_small_line(struct ph_texel_line *line, const struct ph_pl
 /* Columns of a tile are not negative: those of a small triangle count from so many further left. */
 enum { MARGIN = PH_TILE / 2 };
 
-/* The same as a tile has it, from MARGIN columns further left on. */
+/* Converts a line to the form that tiles use, which begins MARGIN columns further left. */
 static struct ph_texel_way way_of(const struct ph_texel_line *line)
 {
     return (struct ph_texel_way){.at = line->at - MARGIN * (line->step - MARGIN * line->bend),
@@ -43,15 +43,15 @@ static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t
                              const struct ph_texture *texture)
 {
     const struct ph_small_map *const map = &t->as.small.of.map;
-    r->texels = texture->texels;
-    r->u_mask = (1u << texture->log2_width) - 1;
-    r->v_mask = ((1u << texture->log2_height) - 1) << texture->log2_width;
+    r->row.texels = texture->texels;
+    r->row.u_mask = (1u << texture->log2_width) - 1;
+    r->row.v_mask = ((1u << texture->log2_height) - 1) << texture->log2_width;
     r->x = (uint32_t)map->x;
     set_small_line(&r->u, &map->u, &map->u_curve, below);
     set_small_line(&r->v, &map->v, &map->v_curve, below);
 }
 
-/* Sets the rest for rows that may leave a clamped texture; the run has light. */
+/* Sets the rest for rows that may leave a clamped texture. */
 static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_triangle *t,
                                    const struct ph_texture *texture)
 {
@@ -59,10 +59,6 @@ static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_tr
     s->kind.plain = true;
     s->kind.depth24 = false; /* small triangles are none of 24 bits */
     ph_set_texel_kind(&s->kind, &s->rows, texture, &t->as.small.of.map.light);
-    s->rows.glight = s->run.glight;
-    s->rows.light_dy = s->run.light_dy;
-    s->rows.light = s->run.light - MARGIN * s->rows.glight;
-    s->rows.stride_bytes = s->run.stride_bytes;
     s->rows.columns = MARGIN + 1 + MARGIN; /* up to 32 px to either side of the first corner */
 }
 
@@ -72,10 +68,10 @@ static inline void begin_light(struct ph_texel_run *r, const struct ph_triangle 
     const struct ph_small_triangle *const small = &t->as.small.rows;
     const struct ph_texel_light *const light = &t->as.small.of.map.light;
     const bool shaded = light->shaded;
-    r->glight = shaded ? small->glight : 0;
-    r->light_dy = shaded ? small->light_dy : 0;
-    r->light = shaded ? small->light + r->x * r->glight + (uint32_t)(y - t->y_top) * r->light_dy
-                      : (uint32_t)light->light << 24;
+    r->row.glight = shaded ? small->glight : 0;
+    r->row.light_dy = shaded ? small->light_dy : 0;
+    r->row.light = shaded ? small->light + r->x * r->row.glight + (uint32_t)(y - t->y_top) * r->row.light_dy
+                          : (uint32_t)light->light << 24;
 }
 
 /* Moves u and v of a bilinear texel to its first corner. */
@@ -99,7 +95,7 @@ PH_NOINLINE
         texture = &map;
     }
     begin_run(&s->run, t, below_of(t, y), texture);
-    s->run.stride_bytes = stride_bytes;
+    s->run.row.stride_bytes = stride_bytes;
     s->usual = at->usual;
     s->kind.clamp = texture->wrap == PH_WRAP_CLAMP;
     if (s->usual) {
@@ -122,8 +118,8 @@ static FX_APART void draw_beyond_light(struct ph_texel_run *run, struct ph_texel
     struct ph_tile_kind kind;
     kind.lit = (run->kind & PH_TEXEL_ROW_LIT) != 0;
     kind.smooth = (run->kind & PH_TEXEL_ROW_SMOOTH) != 0;
-    ph_draw_texel_row(&kind, row, row->light, run->glight);
-    row->light_step = 4 * run->glight;
+    ph_draw_texel_row(&kind, row, row->light, run->row.glight);
+    row->light_step = 4 * run->row.glight;
     row->level = 0;
 }
 
@@ -132,16 +128,16 @@ static inline __attribute__((always_inline)) uint32_t draw_special(struct ph_tex
 {
     struct ph_texel_row row;
     uint32_t count = 0;
-    row.gd = run->gd;
+    row.gd = run->row.gd;
     row.u.bend = 4 * run->u.bend;
     row.v.bend = 4 * run->v.bend;
-    row.u_mask = run->u_mask;
-    row.v_mask = run->v_mask;
-    row.texels = run->texels;
-    row.light_step = 4 * run->glight;
+    row.u_mask = run->row.u_mask;
+    row.v_mask = run->row.v_mask;
+    row.texels = run->row.texels;
+    row.light_step = 4 * run->row.glight;
     row.level = 0;
     do {
-        while (run->rows > 0) {
+        while (run->row.rows > 0) {
             count += ph_texel_run_rows(run, &row);
             if (row.level == UINT32_MAX) {
                 draw_beyond_light(run, &row);
@@ -151,29 +147,32 @@ static inline __attribute__((always_inline)) uint32_t draw_special(struct ph_tex
     return count;
 }
 
+/* Makes the column that lies so far left of column 0 column 0. */
+static inline void move_left(struct ph_texel_rows *row, uint32_t columns)
+{
+    row->left += columns << 16;
+    row->right += columns << 16;
+    row->d -= columns * row->gd;
+    row->light -= columns * row->glight;
+    row->depth -= (int32_t)columns;
+    row->pixels -= (int32_t)columns;
+}
+
 /* Draws the rows of a run that may leave a clamped texture. */
 static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
 {
     struct ph_texel_run *const run = &s->run;
-    struct ph_texel_rows *const r = &s->rows;
+    struct ph_tile_rows *const r = &s->rows;
     r->count = 0;
-    r->depth = run->depth - MARGIN;
-    r->pixels = run->pixels - MARGIN;
-    r->d = run->d - MARGIN * run->gd;
-    r->d_dy = run->d_dy;
-    r->gd = run->gd;
     r->u = way_of(&run->u);
     r->v = way_of(&run->v);
     do {
-        const uint32_t rows = run->rows;
-        r->left = run->left + ((uint32_t)MARGIN << 16);
-        r->right = run->right + ((uint32_t)MARGIN << 16);
-        r->left_dx = run->left_dx;
-        r->right_dx = run->right_dx;
-        r->rows = rows;
+        const uint32_t rows = run->row.rows;
+        r->row = run->row;
+        move_left(&r->row, MARGIN);
         ph_draw_plain_rows(&s->kind, r);
-        run->left += rows * run->left_dx;
-        run->right += rows * run->right_dx;
+        run->row = r->row;
+        move_left(&run->row, 0u - MARGIN);
         for (uint32_t i = 0; i < rows; i++) {
             ph_texel_line_down(&run->u);
             ph_texel_line_down(&run->v);
@@ -204,33 +203,33 @@ PH_TIER(mesh) uint32_t ph_draw_small_texels(const struct ph_triangle *t, const s
     const bool usual = t->as.small.of.map.usual;
     if (usual) {
         begin_run(r, t, below_of(t, y), t->material->texture);
-        r->stride_bytes = 2 * (uint32_t)band->stride;
+        r->row.stride_bytes = 2 * (uint32_t)band->stride;
     } else {
         ph_small_texels_begin(&texels, t, y, 2 * (uint32_t)band->stride);
     }
-    r->left_dx = s->left_dx;
-    r->right_dx = s->right_dx;
-    r->left = s->left - (x << 16) + above * r->left_dx;
-    r->right = s->right - (x << 16) + above * r->right_dx;
+    r->row.left_dx = s->left_dx;
+    r->row.right_dx = s->right_dx;
+    r->row.left = s->left - (x << 16) + above * r->row.left_dx;
+    r->row.right = s->right - (x << 16) + above * r->row.right_dx;
     r->lower_is_right = s->lower_is_right;
     r->lower_x = (uint32_t)s->lower.x - (x << 16);
     r->lower_dx = (uint32_t)s->lower.dx;
     r->lower_rows = s->lower_rows;
-    r->rows = s->upper_rows - above;
-    if ((int32_t)r->rows <= 0) { /* it begins below the upper rows */
-        r->lower_x -= r->rows * r->lower_dx;
-        r->lower_rows += r->rows;
+    r->row.rows = s->upper_rows - above;
+    if ((int32_t)r->row.rows <= 0) { /* it begins below the upper rows */
+        r->lower_x -= r->row.rows * r->lower_dx;
+        r->lower_rows += r->row.rows;
         ph_texel_run_lower(r);
     }
-    if (r->rows + r->lower_rows > rows) {
-        r->rows = r->rows < rows ? r->rows : rows;
-        r->lower_rows = rows - r->rows;
+    if (r->row.rows + r->lower_rows > rows) {
+        r->row.rows = r->row.rows < rows ? r->row.rows : rows;
+        r->lower_rows = rows - r->row.rows;
     }
-    r->gd = s->gd;
-    r->d_dy = s->d_dy;
-    r->d = s->d + x * r->gd + above * r->d_dy;
-    r->depth = (uint16_t *)band->depth + at;
-    r->pixels = band->pixels + at;
+    r->row.gd = s->gd;
+    r->row.d_dy = s->d_dy;
+    r->row.d = s->d + x * r->row.gd + above * r->row.d_dy;
+    r->row.depth = (uint16_t *)band->depth + at;
+    r->row.pixels = band->pixels + at;
     if (PH_TEXTURE_KNEE && t->kind == PH_KIND_SMALL_TEXTURE_KNEE) {
         return ph_texture_knee(r, s->knee);
     }
@@ -242,16 +241,16 @@ uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_t
                               uint16_t *pixels)
 {
     struct ph_texel_run *const r = &s->run;
-    r->left = small->left - (r->x << 16);
-    r->right = small->right - (r->x << 16);
-    r->d = small->d + r->x * small->gd;
-    r->left_dx = small->left_dx;
-    r->right_dx = small->right_dx;
-    r->d_dy = small->d_dy;
-    r->gd = small->gd;
-    r->depth = depth + r->x;
-    r->pixels = pixels + r->x;
-    r->rows = small->upper_rows;
+    r->row.left = small->left - (r->x << 16);
+    r->row.right = small->right - (r->x << 16);
+    r->row.d = small->d + r->x * small->gd;
+    r->row.left_dx = small->left_dx;
+    r->row.right_dx = small->right_dx;
+    r->row.d_dy = small->d_dy;
+    r->row.gd = small->gd;
+    r->row.depth = depth + r->x;
+    r->row.pixels = pixels + r->x;
+    r->row.rows = small->upper_rows;
     r->lower_rows = small->lower_rows;
     r->lower_is_right = small->lower_is_right;
     r->lower_x = (uint32_t)small->lower.x - (r->x << 16);
@@ -266,20 +265,19 @@ void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece 
     struct ph_texel_run *const r = &s->run;
     const uint32_t x = piece->x - r->x;
     const struct ph_texel_line u = r->u, v = r->v;
-    const uint32_t light = s->run.light, row_light = s->rows.light;
-    r->left = x << 16;
-    r->right = (x + piece->n) << 16;
-    r->d = piece->d - x * piece->gd;
-    r->gd = piece->gd;
-    r->depth = depth + r->x;
-    r->pixels = pixels + r->x;
-    r->rows = 1;
+    const uint32_t light = r->row.light;
+    r->row.left = x << 16;
+    r->row.right = (x + piece->n) << 16;
+    r->row.d = piece->d - x * piece->gd;
+    r->row.gd = piece->gd;
+    r->row.depth = depth + r->x;
+    r->row.pixels = pixels + r->x;
+    r->row.rows = 1;
     r->lower_rows = 0;
     draw_run_of(s);
     if (!piece->last) {
         r->u = u;
         r->v = v;
-        s->run.light = light;
-        s->rows.light = row_light;
+        r->row.light = light;
     }
 }

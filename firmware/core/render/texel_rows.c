@@ -63,7 +63,7 @@ static PH_NOINLINE uint16_t sample_special(const struct ph_tile_kind *k, uint32_
 }
 
 /* Draws n pixels from column i of the tile on, along one piece of the depth, where ph_texture_tile cannot. */
-static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_kind *k, const struct ph_texel_rows *r,
+static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_kind *k, const struct ph_tile_rows *r,
                                                            uint32_t i, uint32_t n, struct ph_piece piece, bool depth24)
 {
     const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
@@ -71,13 +71,13 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
     uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend;
     const bool special = k->lit || k->smooth;
     const struct ph_depth *const plane = &k->triangle->as.large.depth;
-    uint16_t *pixel = r->pixels + i;
-    void *depth = ph_depth_from(r->depth, i, depth24);
+    uint16_t *pixel = r->row.pixels + i;
+    void *depth = ph_depth_from(r->row.depth, i, depth24);
     for (; n > 0; n--) {
         const uint32_t d =
             k->triangle->block == PH_BLOCK_LINEAR ? ph_depth_linear(&plane->over_w.linear, piece.d) : piece.d;
         if (depth24 ? ph_nearer24(depth, d) : ph_nearer16(depth, d)) {
-            *pixel = special ? sample_special(k, u, v, r->light + (uint32_t)(pixel - r->pixels) * r->glight)
+            *pixel = special ? sample_special(k, u, v, r->row.light + (uint32_t)(pixel - r->row.pixels) * r->row.glight)
                              : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
         }
         depth = ph_depth_from(depth, 1, depth24);
@@ -92,7 +92,7 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
 
 /* Apart, because it runs from RAM where flash is slow. */
 PH_TIER(scenery)
-static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph_texel_rows *r, uint32_t i, uint32_t n,
+static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph_tile_rows *r, uint32_t i, uint32_t n,
                                    struct ph_piece piece)
 {
     if (k->depth24) {
@@ -103,22 +103,22 @@ static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph
 }
 
 /* Steps to the next row. */
-PH_TIER(scenery) static void row_down(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+PH_TIER(scenery) static void row_down(const struct ph_tile_kind *k, struct ph_tile_rows *r)
 {
-    r->left += r->left_dx;
-    r->right += r->right_dx;
-    r->d += r->d_dy;
-    r->light += r->light_dy;
+    r->row.left += r->row.left_dx;
+    r->row.right += r->row.right_dx;
+    r->row.d += r->row.d_dy;
+    r->row.light += r->row.light_dy;
     ph_texel_way_down(&r->u);
     ph_texel_way_down(&r->v);
-    r->depth += k->depth24 ? r->stride_bytes : r->stride_bytes / 2;
-    r->pixels += r->stride_bytes / 2;
-    r->rows--;
+    r->row.depth += k->depth24 ? r->row.stride_bytes : r->row.stride_bytes / 2;
+    r->row.pixels += r->row.stride_bytes / 2;
+    r->row.rows--;
 }
 
 /* Draws the n columns from `first` on that lie in the tile, along one piece of the depth. */
 PH_TIER(few)
-static void draw_piece(const struct ph_tile_kind *k, struct ph_texel_rows *r, int32_t first, int32_t n,
+static void draw_piece(const struct ph_tile_kind *k, struct ph_tile_rows *r, int32_t first, int32_t n,
                        struct ph_piece piece)
 {
     const int32_t columns = (int32_t)r->columns, from = first > 0 ? first : 0;
@@ -130,15 +130,15 @@ static void draw_piece(const struct ph_tile_kind *k, struct ph_texel_rows *r, in
     }
 }
 
-PH_TIER(few) void ph_draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+PH_TIER(few) void ph_draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_tile_rows *r)
 {
-    for (; r->rows > 0; row_down(k, r)) {
-        const int32_t left = (int32_t)r->left >> 16, right = (int32_t)r->right >> 16;
+    for (; r->row.rows > 0; row_down(k, r)) {
+        const int32_t left = (int32_t)r->row.left >> 16, right = (int32_t)r->row.right >> 16;
         const int32_t end = right < k->end ? right : k->end;
         uint32_t n;
         for (int32_t i = left > k->from ? left : k->from; i < end && i < (int32_t)r->columns; i += (int32_t)n) {
             n = (uint32_t)(end - i);
-            const struct ph_piece piece = ph_depth_piece(k->triangle, r->d + (uint32_t)i * r->gd, &n);
+            const struct ph_piece piece = ph_depth_piece(k->triangle, r->row.d + (uint32_t)i * r->row.gd, &n);
             draw_piece(k, r, i, (int32_t)n, piece);
         }
     }
@@ -255,19 +255,19 @@ void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, u
 }
 
 /* Draws the next row, which is lit or filtered, or leaves a clamped texture. */
-PH_TIER(scenery) static void draw_rare_row(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+PH_TIER(scenery) static void draw_rare_row(const struct ph_tile_kind *k, struct ph_tile_rows *r)
 {
     const struct border u_border = {r->u_outside, k->smooth ? (uint32_t)1 << k->u_down : 0};
     const struct border v_border = {r->v_outside, k->smooth ? (uint32_t)1 << k->v_down : 0};
     struct rare_row row;
     uint32_t i, left, n;
-    if (!ph_tile_columns(r->left, r->right, r->columns, &i, &left)) {
+    if (!ph_tile_columns(r->row.left, r->row.right, r->columns, &i, &left)) {
         return;
     }
-    row.texels.gd = r->gd;
-    row.texels.u_mask = r->u_mask;
-    row.texels.v_mask = r->v_mask;
-    row.texels.texels = r->texels;
+    row.texels.gd = r->row.gd;
+    row.texels.u_mask = r->row.u_mask;
+    row.texels.v_mask = r->row.v_mask;
+    row.texels.texels = r->row.texels;
     r->count += left;
     for (; left > 0; i += n, left -= n) {
         n = left;
@@ -281,24 +281,24 @@ PH_TIER(scenery) static void draw_rare_row(const struct ph_tile_kind *k, struct 
             n = clamp_way(&row.u, &u_border, n);
             n = clamp_way(&row.v, &v_border, n);
         }
-        row.texels.depth = r->depth + i;
-        row.texels.pixels = r->pixels + i;
+        row.texels.depth = r->row.depth + i;
+        row.texels.pixels = r->row.pixels + i;
         row.texels.n = n;
-        row.texels.d = r->d + i * r->gd;
+        row.texels.d = r->row.d + i * r->row.gd;
         row.texels.u = ph_texel_walk_from(row.u.at, row.u.step, row.u.bend, 0, n);
         row.texels.v = ph_texel_walk_from(row.v.at, row.v.step, row.v.bend, 0, n);
-        ph_draw_texel_row(k, &row.texels, r->light + i * r->glight, r->glight);
+        ph_draw_texel_row(k, &row.texels, r->row.light + i * r->row.glight, r->row.glight);
     }
 }
 
 /* ph_texture_tile stops before a row that leaves a clamped texture. */
-PH_TIER(scenery) void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+PH_TIER(scenery) void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_tile_rows *r)
 {
-    while (r->rows > 0) {
+    while (r->row.rows > 0) {
         if (!k->lit && !k->smooth) {
             ph_texture_tile(r);
         }
-        if (r->rows > 0) {
+        if (r->row.rows > 0) {
             draw_rare_row(k, r);
             row_down(k, r);
         }

@@ -29,12 +29,12 @@ static inline bool ph_is_lit(const struct ph_texel_light *light)
 
 /* Sets how texels of that map are drawn; k->triangle, k->clamp and k->plain are set already. k->u_down and k->v_down
  * are set for k->plain. */
-static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_texel_rows *r, const struct ph_texture *map,
+static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_tile_rows *r, const struct ph_texture *map,
                                      const struct ph_texel_light *light)
 {
     const int width = map->log2_width, height = map->log2_height;
-    k->texels = r->texels = map->texels;
-    k->u_mask = r->u_mask = (1u << width) - 1;
+    k->texels = r->row.texels = map->texels;
+    k->u_mask = r->row.u_mask = (1u << width) - 1;
     k->v_mask = (1u << height) - 1;
     k->log2_width = map->log2_width;
     k->lit = ph_is_lit(light);
@@ -43,7 +43,7 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_texel_row
         k->u_down = 22;
         k->v_down = 16 + ph_texel_row_up(map);
     }
-    r->v_mask = k->v_mask << width;
+    r->row.v_mask = k->v_mask << width;
     r->u_outside = k->clamp ? UINT32_MAX << width << 22 : 0;
     r->v_outside = k->clamp ? UINT32_MAX << height << (16 + ph_texel_row_up(map)) : 0;
 }
@@ -52,10 +52,10 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_texel_row
 void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, uint32_t light, uint32_t glight);
 
 /* Draws rows whose depth is in codes, of a texture of up to 65,536 texels. */
-void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r);
+void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_tile_rows *r);
 
-/* Draws rows whose depth may have several pieces each. r->d and r->gd are in units of the triangle's plane. Pieces
- * begin with the triangle's row, as in all other shadings, not with the tile. */
-void ph_draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_texel_rows *r);
+/* Draws rows whose depth may have several pieces each. r->row.d and r->row.gd are in units of the triangle's plane.
+ * Pieces begin with the triangle's row, as in all other shadings, not with the tile. */
+void ph_draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_tile_rows *r);
 
 #endif

@@ -76,7 +76,7 @@ static unsigned level_of(const struct ph_triangle *t, const struct ph_tile *tile
  */
 PH_TIER(scenery)
 static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile, const struct ph_surface *s,
-                              const struct ph_texture *map, struct ph_texel_rows *r)
+                              const struct ph_texture *map, struct ph_tile_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;
     const int width = map->log2_width, height = map->log2_height, range = t->as.large.of.map.range_log2;
@@ -92,7 +92,7 @@ static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile
 }
 
 static PH_NOINLINE void set_mapped_texels(struct ph_tile_kind *k, const struct ph_tile *tile,
-                                          const struct ph_surface *s, struct ph_texel_rows *r)
+                                          const struct ph_surface *s, struct ph_tile_rows *r)
 {
     const struct ph_texture map = ph_texel_map(k->triangle->material->texture, level_of(k->triangle, tile, s));
     set_texels(k, tile, s, &map, r);
@@ -101,7 +101,7 @@ static PH_NOINLINE void set_mapped_texels(struct ph_tile_kind *k, const struct p
 /* Draws the rows of the upper or the lower half that are in the band; r stands at the first of them. */
 PH_TIER(scenery)
 static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, int half, const struct ph_tile *tile,
-                      struct ph_texel_rows *r)
+                      struct ph_tile_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;
     const struct ph_plane *const plane = &t->as.large.depth.as.plane;
@@ -111,11 +111,11 @@ static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, 
         return;
     }
     const uint32_t row = (uint32_t)in.y - tile->y;
-    r->left = (uint32_t)in.left.x - (tile->x << 16);
-    r->left_dx = (uint32_t)in.left.dx;
-    r->right = (uint32_t)in.right.x - (tile->x << 16);
-    r->right_dx = (uint32_t)in.right.dx;
-    r->rows = (uint32_t)(in.y_end - in.y);
+    r->row.left = (uint32_t)in.left.x - (tile->x << 16);
+    r->row.left_dx = (uint32_t)in.left.dx;
+    r->row.right = (uint32_t)in.right.x - (tile->x << 16);
+    r->row.right_dx = (uint32_t)in.right.dx;
+    r->row.rows = (uint32_t)(in.y_end - in.y);
     if (k->plain && t->block == PH_BLOCK_NONE) {
         ph_draw_plain_rows(k, r);
     } else if (k->plain && ((plane->base | plane->gx | plane->gy) & 7) == 0 && ph_tile_octaves(t, tile, &depth)) {
@@ -126,12 +126,12 @@ static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, 
 }
 
 /* Sets the light of rows, at column x and row y. */
-static inline void set_light(struct ph_texel_rows *r, const struct ph_map *map, uint32_t x, uint32_t y)
+static inline void set_light(struct ph_tile_rows *r, const struct ph_map *map, uint32_t x, uint32_t y)
 {
     const bool shaded = map->light.shaded;
-    r->light = shaded ? ph_plane_at(&map->shades, x, y) : (uint32_t)map->light.light << 24;
-    r->glight = shaded ? map->shades.gx : 0;
-    r->light_dy = shaded ? map->shades.gy : 0;
+    r->row.light = shaded ? ph_plane_at(&map->shades, x, y) : (uint32_t)map->light.light << 24;
+    r->row.glight = shaded ? map->shades.gx : 0;
+    r->row.light_dy = shaded ? map->shades.gy : 0;
 }
 
 /* Draws the rows of a tile that are in the band. */
@@ -146,19 +146,19 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     const uint32_t at = (uint32_t)(rows.y0 - band->y0) * stride + tile->x;
     const struct ph_plane *const depth = &t->as.large.depth.as.plane;
     struct ph_tile_kind k;
-    struct ph_texel_rows r;
-    r.depth = ph_depth_from(band->depth, at, band->depth24);
-    r.pixels = band->pixels + at;
-    r.stride_bytes = 2 * stride;
-    r.light = r.glight = r.light_dy = 0;
+    struct ph_tile_rows r;
+    r.row.depth = ph_depth_from(band->depth, at, band->depth24);
+    r.row.pixels = band->pixels + at;
+    r.row.stride_bytes = 2 * stride;
+    r.row.light = r.row.glight = r.row.light_dy = 0;
     k.triangle = t;
     k.depth24 = band->depth24;
     k.end = (int32_t)left;
     r.columns = left < columns ? left : columns;
     r.count = 0;
-    r.d = ph_plane_at(depth, tile->x, (uint32_t)rows.y0);
-    r.gd = depth->gx;
-    r.d_dy = depth->gy;
+    r.row.d = ph_plane_at(depth, tile->x, (uint32_t)rows.y0);
+    r.row.gd = depth->gx;
+    r.row.d_dy = depth->gy;
     if (t->material->texture->filter == PH_FILTER_MIPMAP) {
         set_mapped_texels(&k, tile, s, &r);
     } else {

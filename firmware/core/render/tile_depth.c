@@ -45,19 +45,19 @@ bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, st
 }
 /* Draws rows in one octave; the first of them is row `row` of the tile. */
 PH_TIER(scenery)
-static void draw_rows_in_octave(const struct ph_tile_kind *k, struct ph_texel_rows *r,
+static void draw_rows_in_octave(const struct ph_tile_kind *k, struct ph_tile_rows *r,
                                 const struct ph_tile_depth *depth, bool near, uint32_t row)
 {
     const struct ph_octave *const octave = &depth->octaves[near];
-    const uint32_t d = r->d, gd = r->gd, rows = r->rows;
-    r->d_dy = ph_depth_float16_slope(depth->d_dy, octave->up);
-    r->d =
-        ph_depth_float16_value(depth->d, octave->up) + octave->offset + row * r->d_dy; /* no bit is lost: round_depth */
-    r->gd = octave->slope;
+    const uint32_t d = r->row.d, gd = r->row.gd, rows = r->row.rows;
+    r->row.d_dy = ph_depth_float16_slope(depth->d_dy, octave->up);
+    r->row.d = ph_depth_float16_value(depth->d, octave->up) + octave->offset +
+               row * r->row.d_dy; /* no bit is lost: round_depth */
+    r->row.gd = octave->slope;
     ph_draw_plain_rows(k, r);
-    r->d = d + rows * depth->d_dy;
-    r->gd = gd;
-    r->d_dy = depth->d_dy;
+    r->row.d = d + rows * depth->d_dy;
+    r->row.gd = gd;
+    r->row.d_dy = depth->d_dy;
 }
 
 /* The line on which d is at the octaves' border, as an edge of the tile at row `row`. */
@@ -90,14 +90,14 @@ enum side { FAR, NEAR, FAR_NEAR, NEAR_FAR };
 
 /* The side of a row; left, right, d: its edges and the depth above the border at column 0. *x is where the border is
  * expected, and becomes where it is if the row has pixels on both sides. */
-static inline enum side side_of(const struct ph_texel_rows *r, uint32_t left, uint32_t right, uint32_t d, int32_t *x)
+static inline enum side side_of(const struct ph_tile_rows *r, uint32_t left, uint32_t right, uint32_t d, int32_t *x)
 {
     const enum side first = (int32_t)d < 0 ? FAR : NEAR, other = NEAR - first;
     const uint32_t last = r->columns - 1;
-    if ((int32_t)((d + last * r->gd) ^ d) >= 0) {
+    if ((int32_t)((d + last * r->row.gd) ^ d) >= 0) {
         return first;
     }
-    const int32_t column = (int32_t)border_column(d, r->gd, last, *x);
+    const int32_t column = (int32_t)border_column(d, r->row.gd, last, *x);
     if (column <= (int32_t)left >> 16) {
         return other;
     }
@@ -110,10 +110,10 @@ static inline enum side side_of(const struct ph_texel_rows *r, uint32_t left, ui
 
 /* How many next rows lie on the same side as the first, or on both sides of this border, to the pixel. If it is not
  * where it is in the first row, it is put right there. */
-static uint32_t rows_alike(const struct ph_texel_rows *r, uint32_t bottom, enum side *side, struct ph_edge *border)
+static uint32_t rows_alike(const struct ph_tile_rows *r, uint32_t bottom, enum side *side, struct ph_edge *border)
 {
-    uint32_t left = r->left, right = r->right, d = r->d - bottom, at = (uint32_t)border->x;
-    for (uint32_t n = 0; n < r->rows; n++) {
+    uint32_t left = r->row.left, right = r->row.right, d = r->row.d - bottom, at = (uint32_t)border->x;
+    for (uint32_t n = 0; n < r->row.rows; n++) {
         const int32_t guess = (int32_t)at >> 16;
         int32_t x = guess;
         const enum side here = side_of(r, left, right, d, &x);
@@ -125,47 +125,46 @@ static uint32_t rows_alike(const struct ph_texel_rows *r, uint32_t bottom, enum 
             border->x = (int32_t)((uint32_t)x << 16);
             return 1;
         }
-        left += r->left_dx;
-        right += r->right_dx;
-        d += r->d_dy;
+        left += r->row.left_dx;
+        right += r->row.right_dx;
+        d += r->row.d_dy;
         at += (uint32_t)border->dx;
     }
-    return r->rows;
+    return r->row.rows;
 }
 
 /* Draws the next rows on both sides of the border, of which the first is row `row` of the tile. */
-static void draw_rows_at_border(const struct ph_tile_kind *k, struct ph_texel_rows *r,
-                                const struct ph_tile_depth *depth, uint32_t row, bool near,
-                                const struct ph_edge *border)
+static void draw_rows_at_border(const struct ph_tile_kind *k, struct ph_tile_rows *r, const struct ph_tile_depth *depth,
+                                uint32_t row, bool near, const struct ph_edge *border)
 {
-    const uint32_t left_dx = r->left_dx, left = r->left + r->rows * left_dx;
-    struct ph_texel_rows part = *r;
-    part.right = (uint32_t)border->x;
-    part.right_dx = (uint32_t)border->dx;
+    const uint32_t left_dx = r->row.left_dx, left = r->row.left + r->row.rows * left_dx;
+    struct ph_tile_rows part = *r;
+    part.row.right = (uint32_t)border->x;
+    part.row.right_dx = (uint32_t)border->dx;
     draw_rows_in_octave(k, &part, depth, near, row);
-    r->left = (uint32_t)border->x;
-    r->left_dx = (uint32_t)border->dx;
+    r->row.left = (uint32_t)border->x;
+    r->row.left_dx = (uint32_t)border->dx;
     r->count = part.count;
     draw_rows_in_octave(k, r, depth, !near, row);
-    r->left = left;
-    r->left_dx = left_dx;
+    r->row.left = left;
+    r->row.left_dx = left_dx;
 }
 
 /* Draws rows of a tile that has a near and a far octave in it, from row `row` of the tile on. */
-static void draw_rows_in_two(const struct ph_tile_kind *k, struct ph_texel_rows *r, const struct ph_tile_depth *depth,
+static void draw_rows_in_two(const struct ph_tile_kind *k, struct ph_tile_rows *r, const struct ph_tile_depth *depth,
                              uint32_t row)
 {
     const uint32_t bottom = depth->octaves[1].bottom, way = bottom - depth->d;
     struct ph_edge border = {0, 0};
-    if (fx_magnitude((int32_t)r->gd) > fx_magnitude((int32_t)way) >> 29) { /* else it is almost a row */
-        border = border_edge(depth, r->gd, row);
+    if (fx_magnitude((int32_t)r->row.gd) > fx_magnitude((int32_t)way) >> 29) { /* else it is almost a row */
+        border = border_edge(depth, r->row.gd, row);
     }
     uint32_t n;
-    for (uint32_t rows = r->rows; rows > 0; rows -= n, row += n) {
+    for (uint32_t rows = r->row.rows; rows > 0; rows -= n, row += n) {
         struct ph_edge edge = border;
         enum side side = FAR;
-        r->rows = rows;
-        r->rows = n = rows_alike(r, bottom, &side, &edge);
+        r->row.rows = rows;
+        r->row.rows = n = rows_alike(r, bottom, &side, &edge);
         border.x = (int32_t)((uint32_t)border.x + n * (uint32_t)border.dx);
         if (side <= NEAR) {
             draw_rows_in_octave(k, r, depth, side == NEAR, row);
@@ -173,10 +172,10 @@ static void draw_rows_in_two(const struct ph_tile_kind *k, struct ph_texel_rows 
             draw_rows_at_border(k, r, depth, row, side == NEAR_FAR, &edge);
         }
     }
-    r->rows = 0;
+    r->row.rows = 0;
 }
 
-void ph_draw_rows_in_octaves(const struct ph_tile_kind *k, struct ph_texel_rows *r, const struct ph_tile_depth *depth,
+void ph_draw_rows_in_octaves(const struct ph_tile_kind *k, struct ph_tile_rows *r, const struct ph_tile_depth *depth,
                              uint32_t row)
 {
     if (depth->octaves[0].up == depth->octaves[1].up) {

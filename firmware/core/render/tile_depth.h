@@ -16,7 +16,7 @@ struct ph_tile_depth {
 bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_tile_depth *depth);
 
 /* Draws rows, from row `row` of the tile on. */
-void ph_draw_rows_in_octaves(const struct ph_tile_kind *k, struct ph_texel_rows *r, const struct ph_tile_depth *depth,
+void ph_draw_rows_in_octaves(const struct ph_tile_kind *k, struct ph_tile_rows *r, const struct ph_tile_depth *depth,
                              uint32_t row);
 
 #endif

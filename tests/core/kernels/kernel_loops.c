@@ -374,27 +374,27 @@ static uint32_t hash_way(uint32_t h, const struct ph_texel_way *w)
 static uint32_t try_texture(uint32_t h)
 {
     const bool wild = below(4) == 0, clamp = below(2) == 0;
-    struct ph_texel_rows r = {.u_mask = 63, .v_mask = 63 * 64, .texels = texels};
-    r.left = below(30 << 16) - (10 << 16);
-    r.right = r.left + below(40 << 16) - (5 << 16);
-    r.left_dx = below(1 << 17) - (1 << 16);
-    r.right_dx = below(1 << 17) - (1 << 16);
-    r.d = bits();
-    r.d_dy = below(1 << 24);
-    r.depth = depth + below(16);
-    r.pixels = pixels + below(16);
-    r.stride_bytes = 2 * (64 + below(16));
-    r.gd = below(1 << 24);
+    struct ph_tile_rows r = {.row = {.u_mask = 63, .v_mask = 63 * 64, .texels = texels}};
+    r.row.left = below(30 << 16) - (10 << 16);
+    r.row.right = r.row.left + below(40 << 16) - (5 << 16);
+    r.row.left_dx = below(1 << 17) - (1 << 16);
+    r.row.right_dx = below(1 << 17) - (1 << 16);
+    r.row.d = bits();
+    r.row.d_dy = below(1 << 24);
+    r.row.depth = depth + below(16);
+    r.row.pixels = pixels + below(16);
+    r.row.stride_bytes = 2 * (64 + below(16));
+    r.row.gd = below(1 << 24);
     r.columns = 1 + below(PH_TILE);
-    r.rows = 1 + below(16);
+    r.row.rows = 1 + below(16);
     r.count = bits();
     r.u_outside = clamp ? UINT32_MAX << 28 : 0;
     r.v_outside = r.u_outside;
     r.u = way(22, wild);
     r.v = way(22, wild || below(2) == 0);
     ph_texture_tile(&r);
-    h = word(word(word(word(h, r.left), r.right), r.d), r.rows);
-    h = word(word(word(h, (uint32_t)(r.depth - depth)), (uint32_t)(r.pixels - pixels)), r.count);
+    h = word(word(word(word(h, r.row.left), r.row.right), r.row.d), r.row.rows);
+    h = word(word(word(h, (uint32_t)(r.row.depth - depth)), (uint32_t)(r.row.pixels - pixels)), r.count);
     return hash_way(hash_way(h, &r.u), &r.v);
 }
 
@@ -459,24 +459,24 @@ static uint32_t try_texel_row_smooth_lit(uint32_t h)
 static struct ph_texel_run texel_run(void)
 {
     const bool wild = below(4) == 0;
-    struct ph_texel_run r = {.u_mask = 63, .v_mask = 63 * 64, .texels = texels};
+    struct ph_texel_run r = {.row = {.u_mask = 63, .v_mask = 63 * 64, .texels = texels}};
     const uint32_t at = 40 + below(16), pixels_at = 40 + below(16);
-    r.left = below(20 << 16) - (10 << 16);
-    r.right = r.left + below(18 << 16) - (2 << 16);
-    r.left_dx = below(1 << 16) - (1 << 15);
-    r.right_dx = below(1 << 16) - (1 << 15);
-    r.d = bits();
-    r.d_dy = below(1 << 24);
-    r.gd = below(1 << 24);
+    r.row.left = below(20 << 16) - (10 << 16);
+    r.row.right = r.row.left + below(18 << 16) - (2 << 16);
+    r.row.left_dx = below(1 << 16) - (1 << 15);
+    r.row.right_dx = below(1 << 16) - (1 << 15);
+    r.row.d = bits();
+    r.row.d_dy = below(1 << 24);
+    r.row.gd = below(1 << 24);
     r.u = line(wild);
     r.v = line(wild || below(2) == 0);
-    r.depth = depth + at;
-    r.pixels = pixels + pixels_at;
-    r.stride_bytes = 2 * (96 + below(16));
-    r.rows = 1 + below(7);
+    r.row.depth = depth + at;
+    r.row.pixels = pixels + pixels_at;
+    r.row.stride_bytes = 2 * (96 + below(16));
+    r.row.rows = 1 + below(7);
     r.lower_rows = below(8);
     r.lower_is_right = below(2);
-    r.lower_x = r.lower_is_right ? r.right + r.rows * r.right_dx : r.left + r.rows * r.left_dx;
+    r.lower_x = r.lower_is_right ? r.row.right + r.row.rows * r.row.right_dx : r.row.left + r.row.rows * r.row.left_dx;
     r.lower_dx = below(1 << 16) - (1 << 15);
     return r;
 }
@@ -492,7 +492,7 @@ static uint32_t try_texture_small(uint32_t h)
 static uint32_t try_texture_knee(uint32_t h)
 {
     struct ph_texel_run r = texel_run();
-    h = word(h, ph_texture_knee(&r, (r.d + below(64) * r.gd) | 1));
+    h = word(h, ph_texture_knee(&r, (r.row.d + below(64) * r.row.gd) | 1));
     return hash(hash(h, &r.u, sizeof r.u), &r.v, sizeof r.v);
 }
 
@@ -501,12 +501,12 @@ static uint32_t try_texel_run(uint32_t h)
 {
     struct ph_texel_run r = texel_run();
     const int steep = (int)below(12);
-    r.light = below(33 << 24);
-    r.light_dy = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> steep);
-    r.glight = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> (steep + 3));
+    r.row.light = below(33 << 24);
+    r.row.light_dy = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> steep);
+    r.row.glight = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> (steep + 3));
     r.kind = below(4);
-    struct ph_texel_row row = {.gd = r.gd, .u_mask = 63, .v_mask = 63 * 64, .texels = texels};
-    row.light_step = 4 * r.glight;
+    struct ph_texel_row row = {.gd = r.row.gd, .u_mask = 63, .v_mask = 63 * 64, .texels = texels};
+    row.light_step = 4 * r.row.glight;
     row.u.bend = 4 * r.u.bend;
     row.v.bend = 4 * r.v.bend;
     uint32_t count = 0;
@@ -514,8 +514,9 @@ static uint32_t try_texel_run(uint32_t h)
         count += ph_texel_run_rows(&r, &row);
     } while (row.level != UINT32_MAX && ph_texel_run_lower(&r));
     h = word(h, count);
-    h = hash(hash(hash(h, &r.u, sizeof r.u), &r.v, sizeof r.v), &r.left, 3 * sizeof r.left);
-    h = word(word(word(h, r.light), (uint32_t)(r.depth - depth)), (uint32_t)(r.pixels - pixels) + r.rows);
+    h = hash(hash(hash(h, &r.u, sizeof r.u), &r.v, sizeof r.v), &r.row.left, 3 * sizeof r.row.left);
+    h = word(word(word(h, r.row.light), (uint32_t)(r.row.depth - depth)),
+             (uint32_t)(r.row.pixels - pixels) + r.row.rows);
     if (row.level == UINT32_MAX) {
         h = hash(word(word(h, row.light), (uint32_t)(row.depth - depth)), &row.n, 9 * sizeof row.n);
     }

@@ -74,28 +74,28 @@ row:
     adds r6, r6, r3
     subs r0, #24
     stmia r0!, {r1, r2, r6}
-    adds r0, #run_depth - 12
+    adds r0, #texel_depth - 12
     ldmia r0!, {r1, r2, r5} @ depth, pixels, stride
     subs r0, #12
     adds r6, r2, r5
     adds r5, r1, r5
     stmia r0!, {r5, r6}
-    ldr r5, [r0, #run_light - run_stride]
-    ldr r6, [r0, #run_light + 4 - run_stride]
+    ldr r5, [r0, #texel_light - texel_stride]
+    ldr r6, [r0, #texel_light + 4 - texel_stride]
     adds r6, r6, r5
-    str r6, [r0, #run_light - run_stride]
+    str r6, [r0, #texel_light - texel_stride]
     subs r4, r4, r7
     ble empty
     add r10, r4
     lsls r6, r7, #1
     adds r1, r1, r6
     adds r2, r2, r6
-    ldr r6, [r0, #run_gd - run_stride]
+    ldr r6, [r0, #texel_gd - texel_stride]
     muls r6, r7
     adds r6, r6, r3
     mov r3, r9
     stmia r3!, {r1, r2, r4, r6} @ depth, pixels, n, d
-    ldr r6, [r0, #run_glight - run_stride]
+    ldr r6, [r0, #texel_glight - texel_stride]
     movs r1, r6
     muls r1, r7
     adds r5, r5, r1 @ the first light
@@ -140,7 +140,7 @@ row:
     ldr r1, [sp]
     blx r1
 2:  mov r0, r8
-    adds r0, #run_rows
+    adds r0, #texel_rows
     ldr r1, [r0]
     subs r1, #1
     str r1, [r0]
@@ -185,7 +185,6 @@ lit:
     ldmia r0!, {r1, r2} @ texels, rows
     mov r11, r1
     str r2, [sp, #rows]
-    adds r0, #run_light - run_rows - 4
     ldmia r0!, {r1-r3} @ light, light_dy, glight
     str r1, [sp, #light]
     lsrs r4, r1, #24
@@ -254,13 +253,13 @@ pixels_here:
     .word ph_texel_lit_pixels
 store_lit: @ what the caller finds of the rows
     ldr r0, [sp, #self]
-    adds r0, #run_depth
+    adds r0, #texel_depth
     ldr r1, [sp, #below]
     ldr r2, [sp, #apart]
     adds r2, r2, r1
     stmia r0!, {r1, r2}
     ldr r1, [sp, #rows]
-    str r1, [r0, #run_rows - run_stride]
+    str r1, [r0, #texel_rows - texel_stride]
     bx lr
 set_light: @ of the row's first four, and of the next
     ldr r1, [r0]
@@ -268,7 +267,7 @@ set_light: @ of the row's first four, and of the next
     asrs r1, r1, #16
     asrs r2, r2, #16
     subs r2, r2, r1
-    adds r0, #run_light
+    adds r0, #texel_light
     ldmia r0!, {r3, r5, r6} @ light, light_dy, glight
     adds r5, r5, r3
     subs r2, #1
@@ -299,7 +298,7 @@ set_light: @ of the row's first four, and of the next
     str r1, [sp, #light]
 1:  subs r0, #12
     str r5, [r0]
-    subs r0, #run_light
+    subs r0, #texel_light
     b set
 lit_shining: @ this row and the next ones take the other way
     bl store_lit

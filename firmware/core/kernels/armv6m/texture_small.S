@@ -83,12 +83,12 @@ last:
     b row
 2:  ldr r0, [sp, #self]
     movs r1, r0
-    adds r1, #run_rows
-    ldmia r1!, {r2-r6} @ rows, lower_rows, lower_is_right, lower_x, lower_dx
+    adds r1, #run_lower_rows
+    ldmia r1!, {r3-r6} @ lower_rows, lower_is_right, lower_x, lower_dx
     cmp r3, #0
     beq 4f
     movs r2, #0
-    str r2, [r0, #run_rows + 4]
+    str r2, [r0, #run_lower_rows]
     str r3, [sp, #rows]
     cmp r4, #0
     bne 3f

@@ -8,7 +8,7 @@
     .equ way, 32 @ bytes
 
     @ on the stack, behind the masks of texels.inc
-    .equ self, 8   @ the struct ph_texel_rows
+    .equ self, 8   @ the struct ph_tile_rows
     .equ apart, 12 @ from depth to pixels
     .equ entry, 16 @ of the row
     .equ n, 20
@@ -37,7 +37,7 @@
     adds r0, #way - 20
     .endm
 
-    function ph_texture_tile, scenery @ r0: struct ph_texel_rows
+    function ph_texture_tile, scenery @ r0: struct ph_tile_rows
     save_registers
     sub sp, #frame
     movs r7, r0
@@ -63,14 +63,14 @@ row: @ r7: self
     asrs r1, r1, #16
     asrs r2, r0, #31
     bics r0, r2
-    ldr r2, [r7, #texel_columns]
+    ldr r2, [r7, #tile_columns]
     cmp r1, r2
     ble 1f
     movs r1, r2
 1:  subs r2, r1, r0
     bgt 2f
     b down_rows
-2:  ldr r3, [r7, #texel_u_outside]
+2:  ldr r3, [r7, #tile_u_outside]
     cmp r3, #0
     beq inside
     b clamped
@@ -91,7 +91,7 @@ inside: @ r0: first column, r1: the column behind the last, r2: how many
     adds r2, r3, r0
     adds r2, r2, r2 @ pair
     movs r6, r7
-    adds r6, #texel_u
+    adds r6, #tile_u
     ldmia r6!, {r3-r5}
     movs r7, r5
     muls r7, r2
@@ -143,22 +143,21 @@ entries: @ indexed by the pixels that come first, 1 .. 16: the last ones of the 
 3:
     ldr r7, [sp, #self]
     ldr r0, [sp, #n]
-    ldr r1, [r7, #texel_count]
+    ldr r1, [r7, #tile_count]
     adds r1, r1, r0
-    str r1, [r7, #texel_count]
+    str r1, [r7, #tile_count]
 down_rows:
     movs r0, r7
-    adds r0, #texel_u
+    adds r0, #tile_u
     down
     down
     movs r0, r7
-    ldmia r0!, {r1-r6} @ left right left_dx right_dx d d_dy
-    adds r1, r1, r3
-    adds r2, r2, r4
-    adds r5, r5, r6
-    str r1, [r7, #texel_left]
-    str r2, [r7, #texel_right]
-    str r5, [r7, #texel_d]
+    ldmia r0!, {r1-r6} @ left, right, d, left_dx, right_dx, d_dy
+    adds r1, r1, r4
+    adds r2, r2, r5
+    adds r3, r3, r6
+    subs r0, #24
+    stmia r0!, {r1-r3}
     ldr r1, [r7, #texel_depth]
     ldr r2, [r7, #texel_stride]
     adds r1, r1, r2
@@ -183,7 +182,7 @@ clamped:
     mov lr, r3
     subs r1, #1
     movs r6, r7
-    adds r6, #texel_u
+    adds r6, #tile_u
     ldmia r6!, {r2-r4}
     movs r5, r2
     value r2, r3, r4, r0, r7
@@ -199,7 +198,7 @@ clamped:
     value r5, r3, r4, r1, r7
     orrs r5, r2
     mov r7, r10
-    ldr r2, [r7, #texel_v_outside]
+    ldr r2, [r7, #tile_v_outside]
     ands r2, r5
     bne stop
     adds r1, #1

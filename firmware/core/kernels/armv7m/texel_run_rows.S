@@ -37,24 +37,24 @@ row:
     add r1, r4
     add r5, r2
     stm r9, {r0, r1, r5}
-    ldrd r0, r1, [r9, #run_depth]
-    ldr r5, [r9, #run_stride]
+    ldrd r0, r1, [r9, #texel_depth]
+    ldr r5, [r9, #texel_stride]
     adds r3, r0, r5
     adds r5, r1, r5
-    strd r3, r5, [r9, #run_depth]
-    ldrd r4, r5, [r9, #run_light] @ and light_dy
+    strd r3, r5, [r9, #texel_depth]
+    ldrd r4, r5, [r9, #texel_light] @ and light_dy
     add r5, r4
-    str r5, [r9, #run_light]
+    str r5, [r9, #texel_light]
     subs r7, r7, r6
     ble empty
     add r11, r7
-    ldr r3, [r9, #run_gd]
+    ldr r3, [r9, #texel_gd]
     mla r3, r3, r6, r2
     add r0, r0, r6, lsl #1
     add r1, r1, r6, lsl #1
     mov r2, r7
     stm r10, {r0-r3} @ depth, pixels, n, d
-    ldr r5, [r9, #run_glight]
+    ldr r5, [r9, #texel_glight]
     mla r4, r5, r6, r4
     subs r0, r7, #1
     mla r2, r5, r0, r4
@@ -84,9 +84,9 @@ row:
     adds r5, #1
     beq 2f
     blx r8
-2:  ldr r0, [r9, #run_rows]
+2:  ldr r0, [r9, #texel_rows]
     subs r0, #1
-    str r0, [r9, #run_rows]
+    str r0, [r9, #texel_rows]
     beq 3f
     cmp r5, #0
     bne row

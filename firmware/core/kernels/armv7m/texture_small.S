@@ -22,10 +22,10 @@
     strd r0, r1, [sp, #bends]
     movs r0, #0
     str r0, [sp, #count]
-    ldrd r0, r1, [r9, #run_depth]
+    ldrd r0, r1, [r9, #texel_depth]
     subs r1, r1, r0
-    str r1, [r9, #run_depth + 4] @ from a depth to its pixel
-    ldr r3, [r9, #run_gd]
+    str r1, [r9, #texel_depth + 4] @ from a depth to its pixel
+    ldr r3, [r9, #texel_gd]
 row:
     ldm r9, {r0, r1, r2, r4, r5, r7} @ left, right, d, left_dx, right_dx, d_dy
     asr r8, r0, #16
@@ -62,12 +62,12 @@ row:
     add r4, r6
     add r5, r7
     stm lr, {r1, r4, r5}
-    ldrd r5, r6, [r9, #run_u_mask]
-    ldr r7, [r9, #run_texels]
-    ldrd r11, lr, [r9, #run_depth]
-    ldr r1, [r9, #run_stride]
+    ldrd r5, r6, [r9, #texel_u_mask]
+    ldr r7, [r9, #texel_texels]
+    ldrd r11, lr, [r9, #texel_depth]
+    ldr r1, [r9, #texel_stride]
     add r1, r11
-    str r1, [r9, #run_depth]
+    str r1, [r9, #texel_depth]
     ldrd r4, r1, [sp, #ends]
     add r11, r11, r1, lsl #1
     add lr, r11
@@ -82,15 +82,16 @@ entries:
     pixel \at, 32, r11, lr, r10, r12, r8, r0, r5, r6, r7, r1, r4
     .endr
 last:
-    ldr r0, [r9, #run_rows]
+    ldr r0, [r9, #texel_rows]
     subs r0, #1
-    str r0, [r9, #run_rows]
+    str r0, [r9, #texel_rows]
     bne row
-    ldrd r0, r1, [r9, #run_rows + 4]
-    ldrd r4, r5, [r9, #run_rows + 12]
+    ldrd r0, r1, [r9, #run_lower_rows]
+    ldrd r4, r5, [r9, #run_lower_x]
     cbz r0, 3f
     movs r2, #0
-    strd r0, r2, [r9, #run_rows]
+    str r0, [r9, #texel_rows]
+    str r2, [r9, #run_lower_rows]
     cbnz r1, 2f
     str r4, [r9]
     str r5, [r9, #12]
@@ -113,9 +114,9 @@ empty:
     add r4, r6
     add r5, r7
     stm lr, {r1, r4, r5}
-    ldr r0, [r9, #run_depth]
-    ldr r1, [r9, #run_stride]
+    ldr r0, [r9, #texel_depth]
+    ldr r1, [r9, #texel_stride]
     add r0, r1
-    str r0, [r9, #run_depth]
+    str r0, [r9, #texel_depth]
     b last
     .size ph_texture_small, . - ph_texture_small

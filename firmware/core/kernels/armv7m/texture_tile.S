@@ -1,7 +1,7 @@
 @ ph_texture_tile (see texture_tile.h) for ARMv7-M. A pixel that is drawn takes 14.5 instructions, a hidden one 9.5, a
 @ row 61 (15 more in a clamped texture), a call some 25.
 @
-@ Registers: r2 d, r3 gd, r4 u, r5 du, r6 u_mask, r7 v, r8 dv, r9 the struct ph_texel_rows, r10 v_mask, r11 texels,
+@ Registers: r2 d, r3 gd, r4 u, r5 du, r6 u_mask, r7 v, r8 dv, r9 the struct ph_tile_rows, r10 v_mask, r11 texels,
 @ r12 depth, lr pixels; r0 r1 scratch. The stack has the bends of u and v.
 #include "../thumb.inc"
 #include "../offsets.inc"
@@ -18,7 +18,7 @@
     stm lr, {r0, r1, r2, r4, r5}
     .endm
 
-    function ph_texture_tile, scenery @ r0: struct ph_texel_rows
+    function ph_texture_tile, scenery @ r0: struct ph_tile_rows
     push {r4-r11, lr}
     sub sp, #12
     mov r9, r0
@@ -29,52 +29,52 @@ row:
     ldrd r0, r1, [r9, #texel_left]
     usat r0, #7, r0, asr #16
     usat r1, #7, r1, asr #16
-    ldr r2, [r9, #texel_columns]
+    ldr r2, [r9, #tile_columns]
     cmp r1, r2
     it gt
     movgt r1, r2
     subs lr, r1, r0
     ble down_rows
-    ldrd r4, r5, [r9, #texel_u]
-    ldr r2, [r9, #texel_u + way_bend]
+    ldrd r4, r5, [r9, #tile_u]
+    ldr r2, [r9, #tile_u + way_bend]
     mla r8, r2, r0, r5
     mla r4, r8, r0, r4 @ u at the first pixel
-    ldrd r7, r8, [r9, #texel_v]
-    ldr r12, [r9, #texel_v + way_bend]
+    ldrd r7, r8, [r9, #tile_v]
+    ldr r12, [r9, #tile_v + way_bend]
     mla r8, r12, r0, r8
     mla r7, r8, r0, r7
-    ldr r8, [r9, #texel_u_outside]
+    ldr r8, [r9, #tile_u_outside]
     cmp r8, #0
     beq 2f
     subs r8, r1, #1 @ the last pixel
     mla r5, r2, r8, r5
-    ldr r1, [r9, #texel_u]
+    ldr r1, [r9, #tile_u]
     mla r5, r5, r8, r1
     orrs r5, r4
-    ldr r1, [r9, #texel_u_outside]
+    ldr r1, [r9, #tile_u_outside]
     ands r5, r1
     bne done
-    ldrd r1, r5, [r9, #texel_v]
+    ldrd r1, r5, [r9, #tile_v]
     mla r5, r12, r8, r5
     mla r5, r5, r8, r1
     orrs r5, r7
-    ldr r1, [r9, #texel_v_outside]
+    ldr r1, [r9, #tile_v_outside]
     ands r5, r1
     bne done
-    ldr r5, [r9, #texel_u + 4]
+    ldr r5, [r9, #tile_u + 4]
     adds r1, r8, #1
 2:  mvn r8, lr, lsl #31
     add r8, r0, r8, lsr #31
     lsl r8, r8, #1 @ pair
     mla r5, r2, r8, r5
     strd r2, r12, [sp]
-    ldr r2, [r9, #texel_v + 4]
+    ldr r2, [r9, #tile_v + 4]
     mla r8, r12, r8, r2
     ldr r2, [r9, #texel_d]
     mla r2, r3, r0, r2
-    ldr r0, [r9, #texel_count]
+    ldr r0, [r9, #tile_count]
     add r0, lr
-    str r0, [r9, #texel_count]
+    str r0, [r9, #tile_count]
     rsb r0, lr, #64
     ldrd r12, lr, [r9, #texel_depth]
     add r12, r12, r1, lsl #1
@@ -88,14 +88,13 @@ entries:
     pixel \at, 64, r12, lr, r4, r5, r7, r8, r6, r10, r11, r0, r1
     .endr
 down_rows:
-    down texel_u
-    down texel_v
-    ldm r9, {r0, r1, r2, r4, r5, r7}
-    add r0, r2
-    add r1, r4
-    add r5, r7
-    strd r0, r1, [r9, #texel_left]
-    str r5, [r9, #texel_d]
+    down tile_u
+    down tile_v
+    ldm r9, {r0, r1, r2, r4, r5, r7} @ left, right, d, left_dx, right_dx, d_dy
+    add r0, r4
+    add r1, r5
+    add r2, r7
+    stm r9, {r0-r2}
     ldrd r0, r1, [r9, #texel_depth]
     ldr r2, [r9, #texel_stride]
     add r0, r2

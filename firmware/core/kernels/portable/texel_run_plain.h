@@ -19,34 +19,34 @@ static inline bool ph_set_run_light(struct ph_texel_row *row, uint32_t first, ui
 /* Sets n pixels of the run's next row, from column `from` on. False if its light is not within 0 .. 32. */
 static inline bool ph_set_run_row(const struct ph_texel_run *r, struct ph_texel_row *row, uint32_t from, uint32_t n)
 {
-    const uint32_t light = r->light + from * r->glight;
-    row->depth = r->depth + (int32_t)from;
-    row->pixels = r->pixels + (int32_t)from;
+    const uint32_t light = r->row.light + from * r->row.glight;
+    row->depth = r->row.depth + (int32_t)from;
+    row->pixels = r->row.pixels + (int32_t)from;
     row->n = n;
-    row->d = r->d + from * r->gd;
+    row->d = r->row.d + from * r->row.gd;
     row->u = ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, from, n);
     row->v = ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, from, n);
-    return ph_set_run_light(row, light, light + (n - 1) * r->glight, r->glight);
+    return ph_set_run_light(row, light, light + (n - 1) * r->row.glight, r->row.glight);
 }
 
 static inline void ph_run_row_down(struct ph_texel_run *r)
 {
-    r->left += r->left_dx;
-    r->right += r->right_dx;
-    r->d += r->d_dy;
-    r->light += r->light_dy;
-    r->depth = ph_row_below(r->depth, r->stride_bytes);
-    r->pixels = ph_row_below(r->pixels, r->stride_bytes);
+    r->row.left += r->row.left_dx;
+    r->row.right += r->row.right_dx;
+    r->row.d += r->row.d_dy;
+    r->row.light += r->row.light_dy;
+    r->row.depth = ph_row_below(r->row.depth, r->row.stride_bytes);
+    r->row.pixels = ph_row_below(r->row.pixels, r->row.stride_bytes);
     ph_texel_line_down(&r->u);
     ph_texel_line_down(&r->v);
-    r->rows--;
+    r->row.rows--;
 }
 
 static inline uint32_t ph_texel_run_rows_plain(struct ph_texel_run *r, struct ph_texel_row *row)
 {
     uint32_t count = 0;
-    while (r->rows > 0) {
-        const int32_t from = (int32_t)r->left >> 16, n = ((int32_t)r->right >> 16) - from;
+    while (r->row.rows > 0) {
+        const int32_t from = (int32_t)r->row.left >> 16, n = ((int32_t)r->row.right >> 16) - from;
         const bool any = n > 0, usual = !any || ph_set_run_row(r, row, (uint32_t)from, (uint32_t)n);
         ph_run_row_down(r);
         if (any) {

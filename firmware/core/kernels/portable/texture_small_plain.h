@@ -10,16 +10,16 @@
 static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t from, uint32_t n, uint32_t d, uint32_t gd)
 {
     const struct ph_texel_row pixels = {
-        .depth = r->depth + (int32_t)from,
-        .pixels = r->pixels + (int32_t)from,
+        .depth = r->row.depth + (int32_t)from,
+        .pixels = r->row.pixels + (int32_t)from,
         .n = n,
         .d = d,
         .gd = gd,
         .u = ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, from, n),
         .v = ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, from, n),
-        .u_mask = r->u_mask,
-        .v_mask = r->v_mask,
-        .texels = r->texels,
+        .u_mask = r->row.u_mask,
+        .v_mask = r->row.v_mask,
+        .texels = r->row.texels,
     };
     ph_texel_row_any(&pixels, false, false);
 }
@@ -42,9 +42,9 @@ static inline uint32_t ph_knee_pixels(uint32_t d, uint32_t gd, uint32_t n, uint3
 static inline void ph_draw_knee_line(const struct ph_texel_run *r, uint32_t from, uint32_t n, uint32_t knee)
 {
     for (uint32_t left = n, x = from, part; left > 0; left -= part, x += part) {
-        const uint32_t d = r->d + x * r->gd;
-        part = ph_knee_pixels(d, r->gd, left, knee);
-        ph_draw_texel_line(r, x, part, ph_knee_code(d, knee), d < knee ? 2 * r->gd : r->gd);
+        const uint32_t d = r->row.d + x * r->row.gd;
+        part = ph_knee_pixels(d, r->row.gd, left, knee);
+        ph_draw_texel_line(r, x, part, ph_knee_code(d, knee), d < knee ? 2 * r->row.gd : r->row.gd);
     }
 }
 
@@ -53,21 +53,22 @@ static inline uint32_t ph_texture_small_rows(struct ph_texel_run *r, uint32_t kn
 {
     uint32_t count = 0;
     do {
-        for (; r->rows > 0; r->rows--) {
-            const int32_t from = (int32_t)r->left >> 16, n = ((int32_t)r->right >> 16) - from;
+        for (; r->row.rows > 0; r->row.rows--) {
+            const int32_t from = (int32_t)r->row.left >> 16, n = ((int32_t)r->row.right >> 16) - from;
             if (n > 0) {
                 if (knee != 0) {
                     ph_draw_knee_line(r, (uint32_t)from, (uint32_t)n, knee);
                 } else {
-                    ph_draw_texel_line(r, (uint32_t)from, (uint32_t)n, r->d + (uint32_t)from * r->gd, r->gd);
+                    ph_draw_texel_line(r, (uint32_t)from, (uint32_t)n, r->row.d + (uint32_t)from * r->row.gd,
+                                       r->row.gd);
                 }
                 count += (uint32_t)n;
             }
-            r->left += r->left_dx;
-            r->right += r->right_dx;
-            r->d += r->d_dy;
-            r->depth = ph_row_below(r->depth, r->stride_bytes);
-            r->pixels = ph_row_below(r->pixels, r->stride_bytes);
+            r->row.left += r->row.left_dx;
+            r->row.right += r->row.right_dx;
+            r->row.d += r->row.d_dy;
+            r->row.depth = ph_row_below(r->row.depth, r->row.stride_bytes);
+            r->row.pixels = ph_row_below(r->row.pixels, r->row.stride_bytes);
             ph_texel_line_down(&r->u);
             ph_texel_line_down(&r->v);
         }

@@ -3,7 +3,7 @@
 
 #include "texture_tile_plain.h"
 
-void ph_texture_tile(struct ph_texel_rows *r)
+void ph_texture_tile(struct ph_tile_rows *r)
 {
     ph_texture_tile_plain(r);
 }

@@ -15,51 +15,51 @@ struct ph_row_run {
 };
 
 /* False if the row has no pixel. */
-static inline bool ph_next_row(const struct ph_texel_rows *r, struct ph_row_run *row)
+static inline bool ph_next_row(const struct ph_tile_rows *r, struct ph_row_run *row)
 {
-    const bool any = ph_tile_columns(r->left, r->right, r->columns, &row->first, &row->n);
+    const bool any = ph_tile_columns(r->row.left, r->row.right, r->columns, &row->first, &row->n);
     row->pair = 2 * (row->first + 1 - (row->n & 1));
     return any;
 }
 
-static inline void ph_row_down(struct ph_texel_rows *r)
+static inline void ph_row_down(struct ph_tile_rows *r)
 {
-    r->left += r->left_dx;
-    r->right += r->right_dx;
-    r->d += r->d_dy;
-    r->depth += r->stride_bytes / 2;
-    r->pixels += r->stride_bytes / 2;
-    r->rows--;
+    r->row.left += r->row.left_dx;
+    r->row.right += r->row.right_dx;
+    r->row.d += r->row.d_dy;
+    r->row.depth += r->row.stride_bytes / 2;
+    r->row.pixels += r->row.stride_bytes / 2;
+    r->row.rows--;
 }
 
 /* Whether the first or the last pixel of a row lies outside a clamped texture. */
-static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, uint32_t last)
+static inline bool ph_is_outside(const struct ph_tile_rows *r, uint32_t first, uint32_t last)
 {
     return (((ph_texel_at(&r->u, first) | ph_texel_at(&r->u, last)) & r->u_outside) |
             ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
 }
 
-static inline void ph_draw_tile_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
+static inline void ph_draw_tile_row(const struct ph_tile_rows *r, const struct ph_row_run *row)
 {
     const uint32_t first = row->first, n = row->n;
     const struct ph_texel_row pixels = {
-        .depth = r->depth + first,
-        .pixels = r->pixels + first,
+        .depth = r->row.depth + first,
+        .pixels = r->row.pixels + first,
         .n = n,
-        .d = r->d + first * r->gd,
-        .gd = r->gd,
+        .d = r->row.d + first * r->row.gd,
+        .gd = r->row.gd,
         .u = ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, first, n),
         .v = ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, first, n),
-        .u_mask = r->u_mask,
-        .v_mask = r->v_mask,
-        .texels = r->texels,
+        .u_mask = r->row.u_mask,
+        .v_mask = r->row.v_mask,
+        .texels = r->row.texels,
     };
     ph_texel_row_any(&pixels, false, false);
 }
 
-static inline void ph_texture_tile_plain(struct ph_texel_rows *r)
+static inline void ph_texture_tile_plain(struct ph_tile_rows *r)
 {
-    while (r->rows > 0) {
+    while (r->row.rows > 0) {
         struct ph_row_run row;
         if (ph_next_row(r, &row)) {
             if (ph_is_outside(r, row.first, row.first + row.n - 1)) {

@@ -36,8 +36,8 @@
     words lw, a0, run_u, s0, s1, s2
     words lw, a0, run_v, s3, s4, s5
     words lw, a0, 0, s6, s7, s8
-    words lw, a0, run_depth, a1, t6
-    words lw, a0, run_gd, a2, t0, t1, s11, ra
+    words lw, a0, texel_depth, a1, t6
+    words lw, a0, texel_gd, a2, t0, t1, s11, ra
     masks t0, t1
     sub t6, t6, a1
     sw t6, 52(sp)
@@ -74,7 +74,7 @@ below:
     down run_u, s0, s1, s2
     down run_v, s3, s4, s5
     words lw, a0, 12, t0, t1, t2
-    lw t3, run_stride(a0)
+    lw t3, texel_stride(a0)
     add s6, s6, t0
     add s7, s7, t1
     add s8, s8, t2
@@ -82,9 +82,9 @@ below:
     lui t0, 0x10
     sub ra, ra, t0
     bgeu ra, t0, row
-    words lw, a0, run_rows + 4, t0, t1, t2, t3
+    words lw, a0, run_lower_rows, t0, t1, t2, t3
     beqz t0, done
-    sw zero, run_rows + 4(a0)
+    sw zero, run_lower_rows(a0)
     slli t0, t0, 16
     add ra, ra, t0
     bnez t1, 1f

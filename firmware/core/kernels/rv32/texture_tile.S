@@ -2,7 +2,7 @@
  * ph_texture_tile (see texture_tile.h) for RV32. With Zba a pixel that is drawn takes 15 instructions, a hidden one 7, a
  * row 80 (15 more in a clamped texture), a call some 70.
  *
- * Registers: a0 the struct ph_texel_rows, a1 depth at column 0, s0 s1 s2 s3 at, step, bend, at_dy of u, s4 s5 s6 s7 of v,
+ * Registers: a0 the struct ph_tile_rows, a1 depth at column 0, s0 s1 s2 s3 at, step, bend, at_dy of u, s4 s5 s6 s7 of v,
  * s8 left, ra right, t2 d at column 0; those of texels.inc. 52(sp) is the way from depth to
  * pixels, 56(sp) below 0 when more than 32 pixels follow.
  */
@@ -31,10 +31,10 @@
     sw t0, \way + 16(a0)
     .endm
 
-    function ph_texture_tile, scenery // a0: struct ph_texel_rows
+    function ph_texture_tile, scenery // a0: struct ph_tile_rows
     save 64, SAVED
-    words lw, a0, texel_u, s0, s1, s2, s3
-    words lw, a0, texel_v, s4, s5, s6, s7
+    words lw, a0, tile_u, s0, s1, s2, s3
+    words lw, a0, tile_v, s4, s5, s6, s7
     lw s8, texel_left(a0)
     lw ra, texel_right(a0)
     lw t2, texel_d(a0)
@@ -46,23 +46,23 @@
 row:
     srai t1, s8, 16
     srai t5, ra, 16
-    lw t3, texel_columns(a0)
+    lw t3, tile_columns(a0)
     bgez t1, 1f
     li t1, 0
 1:  ble t5, t3, 1f
     mv t5, t3
 1:  sub t0, t1, t5
     bgez t0, below
-    lw t4, texel_u_outside(a0)
+    lw t4, tile_u_outside(a0)
     value a6, t1, s0, s1, s2
     value t3, t1, s4, s5, s6
     bnez t4, clamped
 inside:
-    lw a5, texel_count(a0)
+    lw a5, tile_count(a0)
     ori t4, t0, 1
     add t4, t4, t5 // half the pair of texture_tile.h
     sub a5, a5, t0
-    sw a5, texel_count(a0)
+    sw a5, tile_count(a0)
     mul a7, s2, t4
     mul t4, s6, t4
     mul a5, a2, t1
@@ -95,10 +95,10 @@ unrolled:
     li t0, -32
     j unrolled
 below:
-    down texel_u, s0, s1, s2, s3
-    down texel_v, s4, s5, s6, s7
+    down tile_u, s0, s1, s2, s3
+    down tile_v, s4, s5, s6, s7
     lw t0, texel_rows(a0)
-    lw t1, 8(a0)
+    lw t1, texel_left_dx(a0)
     lw t3, texel_right_dx(a0)
     lw t4, texel_d_dy(a0)
     lw t5, texel_stride(a0)
@@ -110,8 +110,8 @@ below:
     sw t0, texel_rows(a0)
     bnez t0, row
 done:
-    words sw, a0, texel_u, s0, s1, s2, s3
-    words sw, a0, texel_v, s4, s5, s6, s7
+    words sw, a0, tile_u, s0, s1, s2, s3
+    words sw, a0, tile_v, s4, s5, s6, s7
     lw t6, 52(sp)
     sw s8, texel_left(a0)
     sw ra, texel_right(a0)
@@ -126,7 +126,7 @@ clamped: // does the first or the last pixel lie outside?
     and a5, a5, t4
     bnez a5, done
     value a5, t6, s4, s5, s6
-    lw t4, texel_v_outside(a0)
+    lw t4, tile_v_outside(a0)
     or a5, a5, t3
     and a5, a5, t4
     bnez a5, done

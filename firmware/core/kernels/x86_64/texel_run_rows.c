@@ -89,8 +89,9 @@ static inline bool set_light(struct lit_walk *w, uint32_t first, uint32_t n, uin
 
 static inline struct lit_texels texels_of(const struct ph_texel_run *r, uint64_t bend)
 {
-    struct lit_texels t = {texels2_common_of(r->texels, r->u_mask, r->v_mask, r->depth, r->pixels, r->gd, bend),
-                           1 << 16 | 1, 4 * r->glight};
+    struct lit_texels t = {
+        texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth, r->row.pixels, r->row.gd, bend),
+        1 << 16 | 1, 4 * r->row.glight};
     __asm__("" : "+r"(t.twice));
     return t;
 }
@@ -98,16 +99,16 @@ static inline struct lit_texels texels_of(const struct ph_texel_run *r, uint64_t
 /* Draws the rows above the lower edge. Those from one on whose light is not within 0 .. 32 are left. */
 static inline uint64_t draw_rows(struct ph_texel_run *r, const struct lit_texels *t, struct texels2_lines *l)
 {
-    const __m128i down = _mm_loadu_si128((const __m128i *)&r->left_dx), before = _mm_slli_si128(t->all.gd, 8);
-    __m128i row = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)&r->left), before);
-    uint16_t *depth = r->depth;
-    uint32_t light = r->light, rows = r->rows;
+    const __m128i down = _mm_loadu_si128((const __m128i *)&r->row.left_dx), before = _mm_slli_si128(t->all.gd, 8);
+    __m128i row = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)&r->row.left), before);
+    uint16_t *depth = r->row.depth;
+    uint32_t light = r->row.light, rows = r->row.rows;
     uint64_t count = 0;
     for (; rows > 0; rows--) {
         const int64_t from = (int16_t)_mm_extract_epi16(row, 1), to = (int16_t)_mm_extract_epi16(row, 3), n = to - from;
         if (n > 0) {
             struct lit_walk w = {.texel.before = texels2_depth(row, (uint64_t)from, t->all.gd)};
-            if (!set_light(&w, light + (uint32_t)from * r->glight, (uint32_t)n, r->glight)) {
+            if (!set_light(&w, light + (uint32_t)from * r->row.glight, (uint32_t)n, r->row.glight)) {
                 break;
             }
             texels2_start(l, (uint64_t)from, t->all.pair_bend[n & 1], &w.texel.at, &w.texel.step);
@@ -116,16 +117,16 @@ static inline uint64_t draw_rows(struct ph_texel_run *r, const struct lit_texels
         }
         row = _mm_add_epi32(row, down);
         __asm__("" : "+x"(row)); /* else the compiler keeps it in two registers */
-        light += r->light_dy;
-        depth = ph_row_below(depth, r->stride_bytes);
+        light += r->row.light_dy;
+        depth = ph_row_below(depth, r->row.stride_bytes);
         texels2_lines_down(l);
     }
-    _mm_storeu_si128((__m128i *)&r->left, _mm_add_epi32(row, before));
-    _mm_storeu_si128((__m128i *)&r->left_dx, down); /* behind the row's store, which changes the first of them */
-    r->light = light;
-    r->rows = rows;
-    r->depth = depth;
-    r->pixels = (uint16_t *)(void *)((uint8_t *)depth + t->all.to_pixels);
+    _mm_storeu_si128((__m128i *)&r->row.left, _mm_add_epi32(row, before));
+    _mm_storeu_si128((__m128i *)&r->row.left_dx, down); /* behind the row's store, which changes the first of them */
+    r->row.light = light;
+    r->row.rows = rows;
+    r->row.depth = depth;
+    r->row.pixels = (uint16_t *)(void *)((uint8_t *)depth + t->all.to_pixels);
     return count;
 }
 
@@ -139,7 +140,7 @@ uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row)
     uint64_t count = 0;
     do {
         count += draw_rows(r, &t, &l);
-    } while (r->rows == 0 && ph_texel_run_lower(r));
+    } while (r->row.rows == 0 && ph_texel_run_lower(r));
     texels2_give_back(&l, r);
-    return (uint32_t)count + (r->rows > 0 ? ph_texel_run_rows_plain(r, row) : 0);
+    return (uint32_t)count + (r->row.rows > 0 ? ph_texel_run_rows_plain(r, row) : 0);
 }

@@ -7,8 +7,8 @@
 #include <emmintrin.h>
 #include <stddef.h>
 
-_Static_assert(offsetof(struct ph_texel_run, d) == offsetof(struct ph_texel_run, left) + 8 &&
-                   offsetof(struct ph_texel_run, d_dy) == offsetof(struct ph_texel_run, left_dx) + 8,
+_Static_assert(offsetof(struct ph_texel_rows, d) == offsetof(struct ph_texel_rows, left) + 8 &&
+                   offsetof(struct ph_texel_rows, d_dy) == offsetof(struct ph_texel_rows, left_dx) + 8,
                "left, right and d are loaded at once, and so are their steps");
 _Static_assert(offsetof(struct ph_texel_line, step_dy) == 12 && offsetof(struct ph_texel_line, bend) == 20,
                "coefficients are loaded four and two at once");
@@ -55,8 +55,8 @@ static inline bool texels2_within(const struct ph_texel_line *u, __m128i linear,
 /* Whether u of a run, over 32 columns to both sides and 16 or 32 rows down, stays below 2^31 and never wraps. */
 static inline bool texels2_fit(const struct ph_texel_run *r)
 {
-    const uint32_t rows = r->rows + r->lower_rows;
-    if (r->u_mask >= 512) {
+    const uint32_t rows = r->row.rows + r->lower_rows;
+    if (r->row.u_mask >= 512) {
         return false;
     }
     if (rows <= 16) { /* as in every band of 16 lines */

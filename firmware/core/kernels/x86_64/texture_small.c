@@ -37,12 +37,14 @@ static inline __attribute__((always_inline)) uint32_t draw(struct ph_texel_run *
         return ph_texture_small_rows(r, knee);
     }
     struct texels2_lines l = texels2_lines_of(r);
-    struct texels2_common t = texels2_common_of(r->texels, r->u_mask, r->v_mask, r->depth, r->pixels, r->gd, l.bend);
+    struct texels2_common t =
+        texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth, r->row.pixels, r->row.gd, l.bend);
     const __m128i gd = t.gd;
-    __m128i row = _mm_loadu_si128((const __m128i *)&r->left), down = _mm_loadu_si128((const __m128i *)&r->left_dx);
+    __m128i row = _mm_loadu_si128((const __m128i *)&r->row.left),
+            down = _mm_loadu_si128((const __m128i *)&r->row.left_dx);
     row = _mm_sub_epi32(row, _mm_slli_si128(gd, 8)); /* depth is that of column -1 */
-    uint16_t *depth = r->depth;
-    uint32_t rows = r->rows, lower_rows = r->lower_rows;
+    uint16_t *depth = r->row.depth;
+    uint32_t rows = r->row.rows, lower_rows = r->lower_rows;
     uint64_t count = 0;
     for (;;) {
         do {
@@ -52,7 +54,8 @@ static inline __attribute__((always_inline)) uint32_t draw(struct ph_texel_run *
             if (n > 0) {
                 const __m128i before = texels2_depth(row, (uint64_t)from, gd);
                 if (knee != 0) {
-                    draw_knee_line(&t, &l, depth, from, n, (uint32_t)_mm_cvtsi128_si32(before) + r->gd, r->gd, knee);
+                    draw_knee_line(&t, &l, depth, from, n, (uint32_t)_mm_cvtsi128_si32(before) + r->row.gd, r->row.gd,
+                                   knee);
                 } else {
                     draw_line(&t, &l, depth, from, n, before);
                 }
@@ -60,7 +63,7 @@ static inline __attribute__((always_inline)) uint32_t draw(struct ph_texel_run *
             }
             row = _mm_add_epi32(row, down);
             __asm__("" : "+x"(row)); /* else the compiler keeps it in two registers */
-            depth = ph_row_below(depth, r->stride_bytes);
+            depth = ph_row_below(depth, r->row.stride_bytes);
             texels2_lines_down(&l);
         } while (--rows > 0);
         if (lower_rows == 0) {

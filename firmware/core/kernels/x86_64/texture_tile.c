@@ -9,17 +9,17 @@ struct both {
 };
 
 /* u at the first column, as near to 0 as can be where the texture repeats. */
-static uint32_t least_u(const struct ph_texel_rows *r)
+static uint32_t least_u(const struct ph_tile_rows *r)
 {
-    const uint32_t period = (r->u_mask + 1) << 22;
+    const uint32_t period = (r->row.u_mask + 1) << 22;
     return r->u_outside == 0 ? ((r->u.at + period / 2) & (period - 1)) - period / 2 : r->u.at;
 }
 
 /* Whether u, over 64 columns and 16 rows, stays below 2^31 and never wraps; at: least_u. */
-static bool fits_both(const struct ph_texel_rows *r, uint32_t at)
+static bool fits_both(const struct ph_tile_rows *r, uint32_t at)
 {
     const struct ph_texel_way *const u = &r->u;
-    return r->rows <= 16 && r->u_mask < 512 && texels2_below(at, 29) && texels2_below(u->step, 23) &&
+    return r->row.rows <= 16 && r->row.u_mask < 512 && texels2_below(at, 29) && texels2_below(u->step, 23) &&
            texels2_below(u->bend, 16) && texels2_below(u->at_dy, 23) && texels2_below(u->step_dy, 18) &&
            texels2_below(u->bend_dy, 12) && texels2_below(u->at_ddy, 19) && texels2_below(u->step_ddy, 14);
 }
@@ -33,16 +33,17 @@ static inline void draw_row(const struct texels2_common *t, uint16_t *end, uint6
     }
 }
 
-static void draw_rows(struct ph_texel_rows *r, uint32_t at)
+static void draw_rows(struct ph_tile_rows *r, uint32_t at)
 {
     const uint32_t further = r->u.at - at;
     struct both b = {texels2(at, r->v.at) + TEXELS2_SIGN, texels2(r->u.step, r->v.step),
                      texels2(r->u.bend, r->v.bend),       texels2(r->u.at_dy, r->v.at_dy),
                      texels2(r->u.step_dy, r->v.step_dy), texels2(r->u.bend_dy, r->v.bend_dy),
                      texels2(r->u.at_ddy, r->v.at_ddy),   texels2(r->u.step_ddy, r->v.step_ddy)};
-    struct texels2_common t = texels2_common_of(r->texels, r->u_mask, r->v_mask, r->depth, r->pixels, r->gd, b.bend);
+    struct texels2_common t =
+        texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth, r->row.pixels, r->row.gd, b.bend);
     const uint64_t outside = (uint64_t)r->v_outside << 32 | r->u_outside;
-    while (r->rows > 0) {
+    while (r->row.rows > 0) {
         __asm__ volatile("" : : : "memory"); /* the state does not fit the registers: keep all of it in memory */
         struct ph_row_run row;
         if (ph_next_row(r, &row)) {
@@ -52,9 +53,9 @@ static void draw_rows(struct ph_texel_rows *r, uint32_t at)
                 break;
             }
             struct texels2_walk w = {first, b.step + (uint64_t)row.pair * b.bend,
-                                     _mm_cvtsi32_si128((int)(r->d + (row.first - 1) * r->gd))};
+                                     _mm_cvtsi32_si128((int)(r->row.d + (row.first - 1) * r->row.gd))};
             t.bend = 4 * b.bend;
-            draw_row(&t, r->depth + row.first + row.n, row.n, &w);
+            draw_row(&t, r->row.depth + row.first + row.n, row.n, &w);
             r->count += row.n;
         }
         ph_row_down(r);
@@ -72,7 +73,7 @@ static void draw_rows(struct ph_texel_rows *r, uint32_t at)
     texels2_part(b.step_dy, &r->u.step_dy, &r->v.step_dy);
 }
 
-void ph_texture_tile(struct ph_texel_rows *r)
+void ph_texture_tile(struct ph_tile_rows *r)
 {
     const uint32_t at = least_u(r);
     if (fits_both(r, at)) {
