@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define CREASE_COSINE .40673664307580021 /* of 66 degrees: sharper edges stay sharp */
+#define CREASE_COSINE .40673664307580021 /* of MODEL_CREASE_DEGREES */
 #define NEAR          1e-4               /* of the diagonal of the box around all */
 #define MEETING_MAX   1024               /* keeps the time for a fan of n triangles below n * n */
 
@@ -90,15 +90,15 @@ static void find_meetings(struct meeting *m, size_t n)
     }
 }
 
-static void face_normal(float (*corner)[3], float normal[3])
+void model_normals_face(const float *a, const float *b, const float *c, float normal[3])
 {
-    double a[3], b[3], cross[3];
+    double p[3], q[3], cross[3];
     for (int i = 0; i < 3; i++) {
-        a[i] = (double)corner[1][i] - (double)corner[0][i];
-        b[i] = (double)corner[2][i] - (double)corner[0][i];
+        p[i] = (double)b[i] - (double)a[i];
+        q[i] = (double)c[i] - (double)a[i];
     }
     for (int i = 0; i < 3; i++) {
-        cross[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+        cross[i] = p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3];
     }
     const double length = sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
     for (int i = 0; i < 3; i++) {
@@ -114,11 +114,11 @@ static double dot(const float *a, const float *b)
 /* The mean around corner i, of any length. */
 static void mean_normal(const struct meeting *m, uint32_t first, float (*faces)[3], uint32_t i, float normal[3])
 {
-    const float *own = faces[i / 3];
+    const float *own = faces[i];
     double sum[3] = {0, 0, 0};
     uint32_t seen = 0;
     for (uint32_t k = first; k != 0 && seen < MEETING_MAX; k = m->next[k - 1], seen++) {
-        const float *other = faces[(k - 1) / 3];
+        const float *other = faces[k - 1];
         if (k - 1 == i || dot(own, other) >= CREASE_COSINE) {
             sum[0] += (double)other[0];
             sum[1] += (double)other[1];
@@ -131,38 +131,25 @@ static void mean_normal(const struct meeting *m, uint32_t first, float (*faces)[
     }
 }
 
-static void make_all(struct meeting *m, float (*faces)[3], size_t count, float (*normals)[3])
+float (*model_normals_make(float (*corners)[3], float (*faces)[3], size_t n))[3]
 {
-    if (!find_grid(m, 3 * count)) {
-        return; /* it has no surface */
-    }
-    find_meetings(m, 3 * count);
-    for (size_t t = 0; t < count; t++) {
-        face_normal(m->corners + 3 * t, faces[t]);
-    }
-    for (size_t i = 0; i < 3 * count; i++) {
-        mean_normal(m, m->head[m->slots[find_slot(m, m->corners[i])] - 1], faces, (uint32_t)i, normals[i]);
-    }
-}
-
-float (*model_normals_make(float (*corners)[3], size_t count))[3]
-{
-    const size_t n = 3 * count;
     struct meeting m = {.corners = corners, .mask = 15};
     while (m.mask < 2 * n) {
         m.mask = m.mask * 2 + 1;
     }
-    float(*normals)[3] = calloc(n + 1, sizeof *normals), (*faces)[3] = calloc(count + 1, sizeof *faces);
+    float(*normals)[3] = calloc(n + 1, sizeof *normals);
     m.slots = calloc(m.mask + 1, sizeof *m.slots);
     m.head = calloc(n + 1, sizeof *m.head);
     m.next = calloc(n + 1, sizeof *m.next);
-    if (normals != NULL && faces != NULL && m.slots != NULL && m.head != NULL && m.next != NULL) {
-        make_all(&m, faces, count, normals);
-    } else {
+    if (normals == NULL || m.slots == NULL || m.head == NULL || m.next == NULL) {
         free(normals);
         normals = NULL;
+    } else if (find_grid(&m, n)) { /* else it has no surface */
+        find_meetings(&m, n);
+        for (size_t i = 0; i < n; i++) {
+            mean_normal(&m, m.head[m.slots[find_slot(&m, corners[i])] - 1], faces, (uint32_t)i, normals[i]);
+        }
     }
-    free(faces);
     free(m.slots);
     free(m.head);
     free(m.next);

@@ -5,9 +5,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Returns a normal for each of 3 * count corners of triangles: the mean of the normals of the triangles that meet at
- * its position, as far as they are at most 66 degrees from its own triangle's. Those of triangles without an area are
- * 0, and count for nothing. Of more than 1024 corners in one position, 1024 count. NULL: no memory. */
-float (*model_normals_make(float (*corners)[3], size_t count))[3];
+#define MODEL_CREASE_DEGREES 66 /* edges sharper than this stay sharp */
+
+/* The normal of a triangle, of length 1; 0 where it has no area. */
+void model_normals_face(const float *a, const float *b, const float *c, float normal[3]);
+
+/* Returns a normal, of any length, for each of n corners of faces, given the normal of the face at each: the sum of
+ * those that meet there, as far as they are at most MODEL_CREASE_DEGREES from its own. So a face counts once, into
+ * however many triangles it is cut. Corners meet that are less than 1/10000 of the whole apart, because files round
+ * them. A face normal of 0 counts for nothing. Of more than 1024 corners that meet, 1024 count. NULL: no memory. */
+float (*model_normals_make(float (*corners)[3], float (*faces)[3], size_t n))[3];
 
 #endif

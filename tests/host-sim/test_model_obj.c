@@ -3,6 +3,7 @@
 #include "scene_read.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -62,6 +63,25 @@ static void corners_without_normals_get_smooth_ones(void **state)
     assert_true(mesh->normals[0][0] == 1 && mesh->normals[1][2] > 0);
 }
 
+/* A square of two triangles beside a slope of one: the square counts once where it is one face, twice where it is two.
+ */
+static void a_face_counts_once_for_normals(void **state)
+{
+    static const char *const faces[2] = {"f 1 2 3 4\nf 2 5 3\n", "f 2 3 4\nf 2 4 1\nf 2 5 3\n"};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        char text[256];
+        snprintf(text, sizeof text, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 .75\n%s", faces[i]);
+        const struct model_mesh *mesh = read_text(text)->meshes;
+        uint32_t at = 0;
+        while (mesh->positions[at][0] != 1 || mesh->positions[at][1] != 0) {
+            at++;
+        }
+        /* (0, 0, 1) and (-.6, 0, .8) */
+        assert_true(fabsf(mesh->normals[at][0] / mesh->normals[at][2] - (i == 0 ? -.6f / 1.8f : -.6f / 2.8f)) < 1e-5f);
+    }
+}
+
 static void polygons_keep_their_area(void **state)
 {
     (void)state;
@@ -112,6 +132,9 @@ static void mtl_gives_colours_and_opacity(void **state)
     assert_int_equal(m[2].surface.blend->alpha, 24);
     assert_int_equal(m[3].surface.colour, ph_rgb565(153, 153, 153));
     assert_null(m[3].surface.blend);
+    const struct model_mesh *mesh =
+        read_text("mtllib a.mtl\nusemtl one\n" TRIANGLE "vt .5 .25\nf 1/1 2/1 3/1\n")->meshes;
+    assert_true(mesh->uvs[0][0] == .5f && mesh->uvs[0][1] == .75f);
 }
 
 /* A bitmap that no reader knows: what matters is where it was looked for. */
@@ -183,6 +206,7 @@ int main(void)
         cmocka_unit_test(a_vertex_may_have_a_weight_or_a_colour),
         cmocka_unit_test(a_line_may_go_on_behind_a_backslash),
         cmocka_unit_test(corners_without_normals_get_smooth_ones),
+        cmocka_unit_test(a_face_counts_once_for_normals),
         cmocka_unit_test(polygons_keep_their_area),
         cmocka_unit_test(meshes_begin_with_materials_objects_and_groups),
         cmocka_unit_test(mtl_gives_colours_and_opacity),

@@ -218,7 +218,7 @@ bool model_mtl_read(struct model_shared *shared, struct model_scene *scene, stru
         return true;
     }
     struct model_text text = {.at = bytes, .end = bytes + n, .line = 1};
-    struct material material = {.alpha = 1};
+    struct material material = {.alpha = 1}; /* without a name: what stands before the first newmtl */
     do {
         struct model_word key;
         if (!model_text_word(&text, &key)) {
@@ -231,7 +231,8 @@ bool model_mtl_read(struct model_shared *shared, struct model_scene *scene, stru
         if (!finish(shared, scene, mtls, name, &material)) {
             return false;
         }
-        material = (struct material){.name = model_text_rest(&text), .alpha = 1};
+        material = (struct material){
+            .name = model_text_rest(&text), .alpha = 1, .colours = {.scale = {1, 1}}, .alphas = {.scale = {1, 1}}};
         memcpy(material.colour, grey, sizeof grey);
     } while (model_text_next(&text));
     return finish(shared, scene, mtls, name, &material);

@@ -245,13 +245,13 @@ static bool read_line(struct obj *obj, struct model_scene *scene)
 
 /* ---- meshes ------------------------------------------------------------------------------------------------------ */
 
-/* The triangles of a run: three corners for each, with their positions and, where some have none, normals made. */
+/* The polygons of a run as triangles. Corners are numbers of obj->corners; `first` is that of the run's first one. */
 struct triangles {
     const struct obj *obj;
     const struct model_mtl *mtl;
-    struct corner *corners;
-    float (*positions)[3], (*normals)[3];
-    uint32_t count;
+    uint32_t (*corners)[3];
+    uint32_t count, first;
+    float (*positions)[3], (*faces)[3], (*normals)[3]; /* of each corner from `first` on; normals may be NULL */
     bool has_uvs;
 };
 
@@ -259,9 +259,11 @@ static void set_corner(const void *context, size_t i, struct model_vertex *to)
 {
     const struct triangles *t = context;
     const struct obj *obj = t->obj;
-    const struct corner *c = &t->corners[i];
+    const uint32_t at = t->corners[i / 3][i % 3];
+    const struct corner *c = &obj->corners[at];
     memcpy(to->position, obj->positions[c->position], sizeof to->position);
-    memcpy(to->normal, c->normal != MODEL_NONE ? obj->normals[c->normal] : t->normals[i], sizeof to->normal);
+    memcpy(to->normal, c->normal != MODEL_NONE ? obj->normals[c->normal] : t->normals[at - t->first],
+           sizeof to->normal);
     if (t->has_uvs) {
         const float none[2] = {0, 0}, *uv = c->uv != MODEL_NONE ? obj->uvs[c->uv] : none;
         to->uv[0] = (float)((double)uv[0] * t->mtl->scale[0] + t->mtl->offset[0]);
@@ -286,74 +288,74 @@ static bool has_corners(const struct obj *obj, const struct polygon *polygon)
     return true;
 }
 
-/* Cuts a polygon; the triangles' corners go behind those that are there. */
+/* Cuts a polygon; its triangles go behind those that are there. */
 static bool cut_polygon(const struct polygon *polygon, struct triangles *to)
 {
     const struct obj *obj = to->obj;
-    const uint32_t n = polygon->count;
-    float(*points)[3] = calloc(n, sizeof *points);
-    uint32_t(*cut)[3] = calloc(n, sizeof *cut);
-    bool done = points != NULL && cut != NULL;
-    for (uint32_t i = 0; done && i < n; i++) {
-        memcpy(points[i], obj->positions[obj->corners[polygon->first + i].position], sizeof *points);
+    uint32_t(*cut)[3] = &to->corners[to->count];
+    float(*positions)[3] = &to->positions[polygon->first - to->first],
+    (*faces)[3] = &to->faces[polygon->first - to->first];
+    for (uint32_t i = 0; i < polygon->count; i++) {
+        const struct corner *c = &obj->corners[polygon->first + i];
+        memcpy(positions[i], obj->positions[c->position], sizeof *positions);
+        to->has_uvs = to->has_uvs || c->uv != MODEL_NONE;
     }
-    if (!done || !model_polygon_cut(points, n, cut)) {
-        done = model_shared_failed(obj->shared,
+    if (!model_polygon_cut(positions, polygon->count, cut)) {
+        return model_shared_failed(obj->shared,
                                    "has a face in line %u that cannot be cut into triangles: of one that is not convex "
                                    "at most %u corners are read",
                                    polygon->line, MODEL_POLYGON_MAX);
     }
-    for (uint32_t i = 0; done && i < 3 * (n - 2); i++) {
-        const uint32_t at = 3 * to->count + i, corner = cut[i / 3][i % 3];
-        to->corners[at] = obj->corners[polygon->first + corner];
-        memcpy(to->positions[at], points[corner], sizeof *points);
-        to->has_uvs = to->has_uvs || to->corners[at].uv != MODEL_NONE;
-    }
-    to->count += done ? n - 2 : 0;
-    free(points);
-    free(cut);
-    return done;
-}
-
-static bool lacks_normals(const struct triangles *t)
-{
-    for (size_t i = 0; i < 3 * (size_t)t->count; i++) {
-        if (t->corners[i].normal == MODEL_NONE) {
-            return true;
+    for (uint32_t t = 0; t < polygon->count - 2; t++) {
+        float normal[3];
+        model_normals_face(positions[cut[t][0]], positions[cut[t][1]], positions[cut[t][2]], normal);
+        for (int i = 0; i < 3; i++) {
+            memcpy(faces[cut[t][i]], normal, sizeof normal); /* a bent face has that of its last triangle there */
+            cut[t][i] += polygon->first;
         }
     }
-    return false;
+    to->count += polygon->count - 2;
+    return true;
+}
+
+/* Makes normals if a corner of the run has none. false: no memory. */
+static bool make_normals(struct triangles *t, uint32_t corner_count)
+{
+    for (uint32_t i = 0; i < corner_count; i++) {
+        if (t->obj->corners[t->first + i].normal == MODEL_NONE) {
+            t->normals = model_normals_make(t->positions, t->faces, corner_count);
+            return t->normals != NULL;
+        }
+    }
+    return true;
 }
 
 /* Makes a mesh of polygons first .. end - 1. */
 static bool make_mesh(const struct obj *obj, struct model_scene *scene, uint32_t first, uint32_t end, uint32_t material)
 {
-    uint32_t count = 0;
-    for (uint32_t p = first; p < end; p++) {
-        count += obj->polygons[p].count - 2;
-    }
+    const struct polygon *last = &obj->polygons[end - 1];
+    const uint32_t first_corner = obj->polygons[first].first, n = last->first + last->count - first_corner;
     struct triangles t = {.obj = obj,
                           .mtl = &obj->mtls.list[material],
-                          .corners = calloc(3 * (size_t)count + 1, sizeof *t.corners),
-                          .positions = calloc(3 * (size_t)count + 1, sizeof *t.positions)};
-    bool done = (t.corners != NULL && t.positions != NULL) || no_memory(obj);
+                          .first = first_corner,
+                          .corners = calloc(n, sizeof *t.corners), /* a polygon has two triangles less than corners */
+                          .positions = calloc(n, sizeof *t.positions),
+                          .faces = calloc(n, sizeof *t.faces)};
+    bool done = (t.corners != NULL && t.positions != NULL && t.faces != NULL) || no_memory(obj);
     for (uint32_t p = first; done && p < end; p++) {
         done = has_corners(obj, &obj->polygons[p]) && cut_polygon(&obj->polygons[p], &t);
     }
-    if (done && lacks_normals(&t)) {
-        t.normals = model_normals_make(t.positions, count);
-        done = t.normals != NULL || no_memory(obj);
-    }
-    done = done && (model_weld(scene, &(struct model_triangles){.count = count,
-                                                                .material = material,
-                                                                .has_normals = true,
-                                                                .has_uvs = t.has_uvs,
-                                                                .has_colours = obj->has_colours,
-                                                                .corner = set_corner,
-                                                                .context = &t}) ||
+    done = done && ((make_normals(&t, n) && model_weld(scene, &(struct model_triangles){.count = t.count,
+                                                                                        .material = material,
+                                                                                        .has_normals = true,
+                                                                                        .has_uvs = t.has_uvs,
+                                                                                        .has_colours = obj->has_colours,
+                                                                                        .corner = set_corner,
+                                                                                        .context = &t})) ||
                     no_memory(obj));
     free(t.corners);
     free(t.positions);
+    free(t.faces);
     free(t.normals);
     return done;
 }

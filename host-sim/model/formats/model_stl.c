@@ -16,7 +16,8 @@
 
 /* Three corners for each triangle. */
 struct facets {
-    float (*corners)[3], (*normals)[3], (*colours)[3]; /* a colour for each triangle, or NULL */
+    float (*corners)[3], (*normals)[3];
+    float (*colours)[3]; /* of each triangle, or NULL */
     uint32_t count;
 };
 
@@ -168,6 +169,20 @@ static bool is_text(const char *bytes, size_t n)
            model_word_is(&word, "solid");
 }
 
+/* Makes the normals of all corners. false: no memory. */
+static bool make_normals(struct facets *facets)
+{
+    const size_t n = 3 * (size_t)facets->count;
+    float(*faces)[3] = calloc(n + 1, sizeof *faces);
+    for (size_t i = 0; faces != NULL && i < n; i++) {
+        float(*corners)[3] = &facets->corners[i - i % 3];
+        model_normals_face(corners[0], corners[1], corners[2], faces[i]);
+    }
+    facets->normals = faces != NULL ? model_normals_make(facets->corners, faces, n) : NULL;
+    free(faces);
+    return facets->normals != NULL;
+}
+
 bool model_stl_read(struct model_shared *shared, struct model_scene *scene)
 {
     size_t n = 0;
@@ -185,8 +200,7 @@ bool model_stl_read(struct model_shared *shared, struct model_scene *scene)
         return false;
     }
     free(bytes);
-    facets.normals = model_normals_make(facets.corners, facets.count);
-    return (facets.normals != NULL &&
+    return (make_normals(&facets) &&
             model_weld(scene, &(struct model_triangles){.count = facets.count,
                                                         .has_normals = true,
                                                         .has_colours = facets.colours != NULL,
