@@ -56,7 +56,7 @@ SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
             $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --libs libgpiod)) \
             $(if $(filter libdrm,$(DRM)),$(shell pkg-config --libs libdrm)) \
             $(if $(filter usb,$(USB)),$(shell pkg-config --libs libusb-1.0)) $(if $(SPIDEV),-pthread)
-TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
+TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu assimp,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
 
 CPU := $(CPU)
 
@@ -150,7 +150,7 @@ endif
 CHECKED ?= $(if $(findstring -ffreestanding,$(CFLAGS)),,1)
 $(B)/firmware/core/render/check.o: DEFS += $(if $(CHECKED),-DPH_CHECKED=1)
 
-ALL_FLAGS = $(if $(CHECKED),checked) $(if $(KIT),kit) $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE) $(if $(OUT),$(BOARD_HOME))
+ALL_FLAGS = $(if $(CHECKED),checked) $(if $(KIT),kit) $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(CORE) $(APP_SRC) $(BOARDS_MORE) $(if $(OUT),$(BOARD_HOME))
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 .PHONY: all demo check test test-exhaustive proof lint bench size depth gallery golden clean help core-objects firmware-objects test-programs long-programs FORCE
@@ -159,9 +159,14 @@ COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 all: $(PROGRAMS) $(B)/rp2350-emulate $(B)/rp2040-registers ## the programs, under build/
 
-# What was built with other flags or from other files is built again (but while tests run in it: BUILT, of tests/run.sh); the bench links all objects of core and app that it finds.
+# What was built with other flags is built again (but while tests run in it: BUILT, of tests/run.sh). So is all where core or
+# app have other files, because the bench links all objects of them that it finds; other files make the libraries again.
+differs = mkdir -p $(@D); $(if $(filter $(B),$(BUILT)),test -e $@ || )echo '$(1)' | cmp -s - $@ ||
 $(B)/flags: FORCE
-	@mkdir -p $(@D); $(if $(filter $(B),$(BUILT)),test -e $@ || )echo '$(ALL_FLAGS)' | cmp -s - $@ || { rm -rf $(B)/firmware/core $(B)/firmware/app; echo '$(ALL_FLAGS)' >$@; }
+	@$(call differs,$(ALL_FLAGS)) { rm -rf $(B)/firmware/core $(B)/firmware/app; echo '$(ALL_FLAGS)' >$@; }
+
+$(B)/files: FORCE
+	@$(call differs,$(LIB)) echo '$(LIB)' >$@
 
 $(B)/%.o: %.c $(B)/flags
 	@mkdir -p $(@D)
@@ -191,9 +196,9 @@ $(B)/libpinhole.a: $(call objects,$(CORE))
 $(B)/libpinhole-hal.a: $(call objects,$(HAL) $(BOARDS)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
 $(B)/libpinhole-app.a: $(call objects,$(APP_SRC))
 $(B)/libpinhole-host.a: $(call objects,$(HOST))
-$(LIBS):
+$(LIBS): $(B)/files
 	$(SAY) AR $@
-	$(Q)rm -f $@.part; $(AR) rcs $@.part $^ && mv $@.part $@
+	$(Q)rm -f $@.part; $(AR) rcs $@.part $(filter %.o,$^) && mv $@.part $@
 
 $(B)/libtests.a: $(TEST_OBJ) $(B)/flags
 	$(SAY) AR $@

@@ -33,6 +33,15 @@ other_flags_build_again() { # a variable
     { grep -q 'CC *firmware/core/' <<<"$said" && grep -q 'CC *hal/' <<<"$said"; } || { echo "nothing was built again for $1" && return 1; }
 }
 
+# In a copy of the tree, of links: how many files are compiled when one comes, and when it goes.
+a_new_file_compiles_alone() {
+    local lib=build/libpinhole-host.a
+    mkdir "$dir/tree" && cp -rs "$PWD"/{Makefile,firmware,hal,boards,host-sim} "$dir/tree" && cd "$dir/tree" || return 1
+    again() { make -j2 CFLAGS=-O0 ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl USB=nousb "$lib" | grep -c '^  CC'; }
+    [ "$(again)" -gt 100 ] && [ "$(again)" = 0 ] && echo 'int common_new_file; int common_new_file = 1;' >host-sim/common/new_file.c && [ "$(again)" = 1 ] &&
+        nm "$lib" | grep -q common_new_file && rm host-sim/common/new_file.c && [ "$(again)" = 0 ] && ! nm "$lib" | grep -q common_new_file
+}
+
 empty_build_directory_is_refused() { # it would be the root directory
     local said
     said=$(make --no-print-directory B= -n all 2>&1) && return 1
@@ -105,6 +114,7 @@ check "help_names_every_target" help_names_the_targets
 check "everything_builds_without_optional_libraries" builds
 check "a_second_make_does_nothing" a_second_make_does_nothing
 check "other_CFLAGS_build_again" other_flags_build_again CFLAGS=-O0
+check "a_new_file_of_host-sim_compiles_alone" a_new_file_compiles_alone
 check "another_CPU_builds_again" other_flags_build_again CPU=armv7m
 check "V_1_shows_the_commands" verbose_shows_the_commands
 check "an_empty_build_directory_is_refused" empty_build_directory_is_refused
