@@ -1,18 +1,19 @@
 /* A model reads what lies in its own folder and below, however it spells a name, unless it is allowed to go outside. */
-#define _XOPEN_SOURCE 700 /* symlink */
+#define _GNU_SOURCE /* symlink, unshare, chroot */
 
 #include "complain.h"
 #include "model_files.h"
 #include "stderr_capture.h"
 
-#include <assimp/cimport.h> /* tests/run.sh skips this program where a library is not installed */
 #include <png.h>
 
+#include <sched.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <setjmp.h>
@@ -188,6 +189,62 @@ static void a_model_is_named_from_its_own_folder(void **state)
     assert_int_equal(chdir(here), 0);
 }
 
+/* Whoever opens a pipe without a writer waits for ever, so that the alarm ends this test. */
+static void what_is_no_regular_file_is_not_opened(void **state)
+{
+    struct model *model;
+    char said[1024];
+    (void)state;
+    assert_int_equal(mkfifo(file_path("cow/pipe.bin"), 0600) | mkfifo(file_path("cow/pipe.mtl"), 0600) |
+                         mkfifo(file_path("cow/pipe.png"), 0600) | mkdir(file_path("cow/folder.bin"), 0700),
+                     0);
+    alarm(20);
+    assert_int_equal(open_caught(&model, gltf("pipe.bin", NULL), said), COMPLAINED);
+    assert_non_null(strstr(said, "pipe.bin cannot be opened"));
+    assert_int_equal(open_caught(&model, gltf("folder.bin", NULL), said), COMPLAINED);
+    assert_non_null(strstr(said, "folder.bin cannot be opened"));
+    model = open_good(obj("pipe.mtl", ""));
+    assert_string_equal(model->note, "materials pipe.mtl cannot be opened");
+    model_close(model);
+    model = open_good(obj("own.mtl", "pipe.png"));
+    assert_string_equal(model->note, "texture pipe.png is left out: it cannot be opened");
+    model_close(model);
+    model = open_good(gltf("kept.bin", "pipe.png"));
+    assert_string_equal(model->note, "texture pipe.png is left out: it cannot be opened");
+    model_close(model);
+    alarm(0);
+}
+
+/* Reads a model in a process whose root is its folder. 77: this machine does not let it. */
+static int read_below_root(void)
+{
+    struct model *model;
+    if ((geteuid() != 0 && unshare(CLONE_NEWUSER) != 0) || chroot(file_path("cow")) != 0 || chdir("/") != 0) {
+        return 77;
+    }
+    return model_open(&model, "/cow.gltf", NULL) == 0 && model_open(&model, "cow.gltf", NULL) == 0 ? 0 : 1;
+}
+
+static void a_model_in_the_root_is_read(void **state)
+{
+    static const char *const names[] = {"sub/own.bin", "/sub/own.bin", "../sub/own.bin"};
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        int status = 0;
+        gltf(names[i], NULL);
+        const pid_t pid = fork();
+        if (pid == 0) {
+            _exit(read_below_root());
+        }
+        assert_int_equal(waitpid(pid, &status, 0), pid);
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 77) {
+            skip();
+        }
+        assert_true(WIFEXITED(status));
+        assert_int_equal(WEXITSTATUS(status), 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -198,6 +255,8 @@ int main(void)
         cmocka_unit_test(what_is_nowhere_is_missing_and_not_outside),
         cmocka_unit_test(a_model_that_is_a_link_itself_is_read),
         cmocka_unit_test(a_model_is_named_from_its_own_folder),
+        cmocka_unit_test(what_is_no_regular_file_is_not_opened),
+        cmocka_unit_test(a_model_in_the_root_is_read),
     };
     return cmocka_run_group_tests(tests, make_folders, files_end);
 }

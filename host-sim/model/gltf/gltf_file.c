@@ -1,16 +1,13 @@
-#define _DEFAULT_SOURCE /* off_t, S_ISREG */
-
 #include "gltf_file.h"
 
 #include "model.h"
+#include "model_text.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 static const char *const list_names[GLTF_LISTS] = {"accessors", "bufferViews", "buffers",   "nodes",  "scenes",
                                                    "meshes",    "materials",   "textures",  "images", "samplers",
@@ -80,20 +77,11 @@ bool gltf_file_vector(const struct gltf_json *object, const char *key, unsigned 
 
 static struct gltf_span read_whole(struct gltf_file *file, const char *path)
 {
-    struct stat status;
-    FILE *from = stat(path, &status) == 0 && S_ISREG(status.st_mode) ? fopen(path, "rb") : NULL;
-    if (from == NULL || status.st_size > (off_t)MODEL_FILE_MAX) {
-        gltf_file_failed(file, "%.100s cannot be opened", path);
-        return none();
-    }
-    uint8_t *bytes = malloc((size_t)status.st_size + 1);
-    const size_t n = bytes != NULL ? fread(bytes, 1, (size_t)status.st_size, from) : 0;
-    fclose(from);
+    size_t n = 0;
+    const uint8_t *bytes = (const uint8_t *)model_text_load(path, &n);
     if (bytes == NULL) {
-        gltf_file_failed(file, "it needs too much memory");
-        return none();
+        gltf_file_failed(file, "%.100s cannot be opened", path);
     }
-    bytes[n] = '\0';
     return (struct gltf_span){bytes, n};
 }
 
