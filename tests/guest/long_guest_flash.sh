@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
 . tests/guest/flash_in_guest.sh
-guest_begin "pinhole-flash writes a virtual RP2040" libusb-1.0 assimp
+guest_begin "pinhole-flash writes a virtual RP2040" libusb-1.0
 chmod 755 "$dir" # somebody without rights reads the images, too
 guest_build && make_images "$dir" a 50000 b 70001 large 700000 && make_rp2350_image "$dir" pico2 50000 || exit 1
 head -c 2097152 /dev/urandom >"$dir/old"

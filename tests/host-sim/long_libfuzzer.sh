@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The readers of UF2, BIN and glTF files under libFuzzer, with the sanitizers and the checks of tests/host-sim/fuzz_*.c:
+# The readers of UF2, BIN, glTF, OBJ, STL and PLY files under libFuzzer, with the sanitizers and the checks of tests/host-sim/fuzz_*.c:
 # 2 minutes each without a finding. FUZZ_S=n for another time; a finding stays in $B/log/libfuzzer.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
@@ -9,24 +9,25 @@ unset MAKEFLAGS
 export B=${B:-build}
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
-mkdir -p "$dir"/{uf2,gltf} "$B/log/libfuzzer"
+mkdir -p "$dir"/{uf2,gltf,model} "$B/log/libfuzzer"
 time_s=${FUZZ_S:-120}
 
 echo 'int LLVMFuzzerTestOneInput(const char *d, long n); int LLVMFuzzerTestOneInput(const char *d, long n) { return n > 0 && *d > 200; }' >"$dir/probe.c"
 clang -fsanitize=fuzzer -o "$dir/probe" "$dir/probe.c" 2>/dev/null || { skip "libFuzzer finds nothing" "no clang with libFuzzer" && tap_end; }
-pkg-config --exists assimp libpng libjpeg || { skip "libFuzzer finds nothing" "no assimp, libpng or libjpeg" && tap_end; }
+pkg-config --exists libpng libjpeg || { skip "libFuzzer finds nothing" "no libpng or libjpeg" && tap_end; }
 
 compile() { # program, flags and files...
     clang -std=c11 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -DLIBFUZZER -Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards \
         -Ihost-sim/common -Ihost-sim/picture -o "$dir/$1.fuzz" "${@:2}"
 }
 
+model=(-Ihost-sim/model -Ihost-sim/model/formats -Ihost-sim/model/gltf)
+sources=(host-sim/model/{gltf,formats}/*.c host-sim/model/model_{meshes,places,surface,shared,camera,folder,scene,rig,rig_clips,texture,weld,normals,polygon,text}.c
+    host-sim/picture/picture_in.c host-sim/picture/{png,jpeg}/*_in.c "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -lpng -ljpeg -lm)
 build() { # what is not named here comes from the libraries, without sanitizers
     make -s -j2 B="$B" "$B/pinhole-sim" &&
         compile uf2 -Ihost-sim/flash -Itests/support tests/host-sim/fuzz_uf2.c tests/support/uf2_make.c host-sim/flash/flash_file.c host-sim/flash/flash_image.c host-sim/flash/flash_uf2.c firmware/app/crc32.c &&
-        compile gltf -Ihost-sim/model -Ihost-sim/model/gltf tests/host-sim/fuzz_gltf.c host-sim/model/gltf/*.c \
-            host-sim/model/model_{meshes,places,surface,shared,camera,folder,scene,rig,rig_clips,texture}.c host-sim/picture/picture_in.c host-sim/picture/{png,jpeg}/*_in.c \
-            "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -lpng -ljpeg -lm
+        compile gltf "${model[@]}" tests/host-sim/fuzz_gltf.c "${sources[@]}" && compile model "${model[@]}" tests/host-sim/fuzz_model.c "${sources[@]}"
 }
 build || exit 1
 
@@ -40,8 +41,14 @@ for blocks in 1 5; do
     head -c 1000 /dev/urandom >>"$dir/bin"
 done
 cp tests/host-sim/asset/*.gltf "$dir/gltf"
+# A first byte 0, 1, 2 chooses OBJ, STL, PLY.
+printf '\0v 0 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1\nv 0 1 0\nv .2 .1 0\nvt 0 1\nvn 0 0 1\no a\ng b\nusemtl c\nf 1 2 3 4 5\nf -1//1 -2//1 -3\nf 1/1/1 \\\n2/1 3/1\n' >"$dir/model/obj"
+printf '\1solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n' >"$dir/model/stl"
+{ printf '\1' && head -c 80 /dev/zero && printf '\2\0\0\0' && head -c 100 /dev/urandom; } >"$dir/model/binary-stl"
+printf '\2ply\nformat ascii 1.0\ncomment TextureFile a.png\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty float nx\nproperty float s\nelement face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0 1 1 1\n1 0 0 1 1 1\n1 1 0 1 1 1\n0 1 0 1 1 1\n4 0 1 2 3 8 0 0 1 0 1 1 0 1\n5 0 1 2 3 -1\n' >"$dir/model/ply"
+printf '\2ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty char x\nproperty short y\nproperty double z\nelement face 1\nproperty list ushort uchar vertex_index\nend_header\n0yy000000001yy111111112zz22222222\0\3\0\1\2' >"$dir/model/binary-ply"
 
-# The reader of glTF frees nothing, so its process is started anew when it has grown (-fork); one call for too much
+# Readers of models free little, so their process is started anew when it has grown (-fork); one call for too much
 # memory is a finding all the same.
 finds_nothing() { # name, options...
     (cd "$dir" && ASAN_OPTIONS=detect_leaks=0 "./$1.fuzz" -max_total_time="$time_s" -max_len=8192 -timeout=100 -fork=1 -ignore_ooms=1 -rss_limit_mb=3000 -malloc_limit_mb=2000 "$1") >"$dir/log" 2>&1
@@ -54,4 +61,5 @@ finds_nothing() { # name, options...
 }
 check "libFuzzer finds nothing in the reader of UF2 and BIN in $time_s s" finds_nothing uf2
 check "libFuzzer finds nothing in the reader of glTF in $time_s s" finds_nothing gltf
+check "libFuzzer finds nothing in the readers of OBJ, STL and PLY in $time_s s" finds_nothing model
 tap_end

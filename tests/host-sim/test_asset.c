@@ -8,7 +8,6 @@
 #include "model_files.h"
 #include "sim_player.h"
 
-#include <assimp/cimport.h> /* tests/run.sh skips this program where these are not installed */
 #include <meshoptimizer.h>
 
 #include <math.h>

@@ -2,7 +2,6 @@
 #include "complain.h"
 #include "model_files.h"
 
-#include <assimp/cimport.h> /* tests/run.sh skips this program where a library is not installed */
 #include <png.h>
 
 #include <stdarg.h>

@@ -6,7 +6,6 @@
 #include "model_texture.h"
 #include "scene_file.h"
 
-#include <assimp/cimport.h> /* tests/run.sh skips this program where a library is not installed */
 
 #include <stdlib.h>
 #include <string.h>

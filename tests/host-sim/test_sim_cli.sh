@@ -516,13 +516,8 @@ check demo_has_an_effect differ --demo cube "${small[@]}" -- --demo torus "${sma
 check turntable_is_the_default same "${small[@]}" -- --demo turntable "${small[@]}"
 check the_smallest_pictures_are_drawn the_smallest_pictures_are_drawn
 check bar_is_for_terminals bar_is_for_terminals
-if "$sim" --model "$dir" --crc 2>&1 | grep -q 'without assimp'; then
-    skip model_has_an_effect "built without assimp"
-    skip a_model_too_large_names_what_helps "built without assimp"
-else
-    check model_has_an_effect model_has_an_effect
-    check a_model_too_large_names_what_helps a_model_too_large_names_what_helps
-fi
+check model_has_an_effect model_has_an_effect
+check a_model_too_large_names_what_helps a_model_too_large_names_what_helps
 check board_has_its_own_size board_has_its_own_size
 check size_is_the_picture_s size_is_the_picture_s
 check without_a_board_it_is_240x240 same --demo cube -- --demo cube --size 240x240

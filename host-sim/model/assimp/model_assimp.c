@@ -2,18 +2,16 @@
 
 #include "model_file_io.h"
 #include "model_materials.h"
+#include "model_normals.h"
+#include "model_weld.h"
 
 #include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define CREASE_DEGREES 66 /* edges sharper than this stay sharp when normals are made */
 
 /* Counts triangles after every node has its own copy of its meshes, up to the limit. */
 static uint64_t count_triangles(const struct aiScene *scene, const struct aiNode *node)
@@ -31,7 +29,7 @@ static uint64_t count_triangles(const struct aiScene *scene, const struct aiNode
     return count;
 }
 
-/* assimp 5.2 looks at no index of a binary PLY file before it uses it. */
+/* Some readers of assimp 5.2 look at no index before they use it. */
 static bool has_stray_index(const struct aiScene *scene)
 {
     for (unsigned m = 0; m < scene->mNumMeshes; m++) {
@@ -47,90 +45,8 @@ static bool has_stray_index(const struct aiScene *scene)
     return false;
 }
 
-/* assimp 5.2 reads a PLY header without an end for ever. */
-static bool is_endless_ply(const char *path)
-{
-    char head[65536] = "";
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        return false;
-    }
-    const size_t n = fread(head, 1, sizeof head - 1, file);
-    fclose(file);
-    for (size_t i = 0; i < n; i++) {
-        head[i] = head[i] != '\0' ? head[i] : ' ';
-    }
-    return strncmp(head, "ply", 3) == 0 && strstr(head, "end_header") == NULL;
-}
-
-/* Imports the file; the settings stay with the scene for the later steps. */
-static const struct aiScene *import(const char *path, bool is_stl, struct aiFileIO *io)
-{
-    struct aiPropertyStore *settings = aiCreatePropertyStore();
-    aiSetImportPropertyInteger(settings, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    aiSetImportPropertyInteger(settings, AI_CONFIG_PP_SLM_VERTEX_LIMIT, (int)MODEL_VERTICES_MAX);
-    aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE_DEGREES);
-    aiSetImportPropertyInteger(settings, AI_CONFIG_PP_RVC_FLAGS, is_stl ? (int)aiComponent_NORMALS : 0);
-    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, io, settings);
-    aiReleasePropertyStore(settings);
-    return scene;
-}
-
-/* The largest coordinate of any mesh, or 0. */
-static float find_extent(const struct aiScene *scene)
-{
-    float extent = 0;
-    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
-        const struct aiMesh *mesh = scene->mMeshes[m];
-        for (unsigned i = 0; i < mesh->mNumVertices; i++) {
-            const struct aiVector3D *v = &mesh->mVertices[i];
-            extent = fmaxf(extent, fmaxf(fabsf(v->x), fmaxf(fabsf(v->y), fabsf(v->z))));
-        }
-    }
-    return extent;
-}
-
-static void scale_nodes(struct aiNode *node, float scale)
-{
-    node->mTransformation.a4 *= scale;
-    node->mTransformation.b4 *= scale;
-    node->mTransformation.c4 *= scale;
-    for (unsigned i = 0; i < node->mNumChildren; i++) {
-        scale_nodes(node->mChildren[i], scale);
-    }
-}
-
-/* assimp joins vertices that are 1e-5 apart whatever the size of the model, and squares lengths in float. A model
- * smaller than 1 or larger than 2^24 is scaled into that range by a power of two. It is fitted later anyway. */
-static void scale_to_reason(const struct aiScene *scene)
-{
-    const float extent = find_extent(scene);
-    const int log2 = extent > 0 && isfinite(extent) ? ilogbf(extent) : 0;
-    const int shift = log2 < 0 ? -log2 : log2 > 24 ? 24 - log2 : 0;
-    if (shift == 0) {
-        return;
-    }
-    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
-        const struct aiMesh *mesh = scene->mMeshes[m];
-        for (unsigned i = 0; i < mesh->mNumVertices; i++) {
-            struct aiVector3D *v = &mesh->mVertices[i];
-            *v = (struct aiVector3D){ldexpf(v->x, shift), ldexpf(v->y, shift), ldexpf(v->z, shift)};
-        }
-    }
-    for (unsigned i = 0; i < scene->mNumCameras; i++) {
-        struct aiCamera *c = scene->mCameras[i];
-        c->mPosition = (struct aiVector3D){ldexpf(c->mPosition.x, shift), ldexpf(c->mPosition.y, shift),
-                                           ldexpf(c->mPosition.z, shift)};
-        c->mClipPlaneNear = ldexpf(c->mClipPlaneNear, shift);
-        c->mClipPlaneFar = ldexpf(c->mClipPlaneFar, shift);
-        c->mOrthographicWidth = ldexpf(c->mOrthographicWidth, shift);
-    }
-    scale_nodes(scene->mRootNode, ldexpf(1, shift));
-}
-
-/* PLY does not say how a surface without normals is meant: it is flat. assimp makes normals, with creases, where each
- * face has vertices of its own (OBJ, STL). Where faces share vertices it would keep the normal of the last face; those
- * are made flat, too. */
+/* assimp makes normals, with creases, where each face has vertices of its own. Where faces share vertices it would keep
+ * the normal of the last face; those are made flat. */
 static bool shares_vertices(const struct aiScene *scene)
 {
     for (unsigned m = 0; m < scene->mNumMeshes; m++) {
@@ -146,13 +62,14 @@ static bool shares_vertices(const struct aiScene *scene)
     return false;
 }
 
-/* An STL file has only the normals of its facets; they are dropped because they add nothing. */
-static unsigned steps(const struct aiScene *scene, bool is_stl, bool is_flat)
+static const struct aiScene *import(const char *path, struct aiFileIO *io)
 {
-    return aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_FlipUVs | aiProcess_JoinIdenticalVertices |
-           aiProcess_SplitLargeMeshes | aiProcess_ImproveCacheLocality |
-           (is_flat || shares_vertices(scene) ? 0u : (unsigned)aiProcess_GenSmoothNormals) |
-           (is_stl ? (unsigned)aiProcess_RemoveComponent : 0u);
+    struct aiPropertyStore *settings = aiCreatePropertyStore();
+    aiSetImportPropertyInteger(settings, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, MODEL_CREASE_DEGREES);
+    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, io, settings);
+    aiReleasePropertyStore(settings);
+    return scene;
 }
 
 /* Triangles are counted before anything is made of them. */
@@ -180,54 +97,59 @@ static bool check(struct model_shared *shared, const struct aiScene *scene)
 /* ---- what it has read, as a scene ---------------------------------------------------------------------------------
  */
 
-static bool convert_mesh(const struct aiMesh *from, struct model_mesh *to)
+static void set_corner(const void *context, size_t i, struct model_vertex *to)
 {
-    const uint32_t n = from->mNumVertices;
-    *to = (struct model_mesh){.vertex_count = n, .material = from->mMaterialIndex};
-    to->positions = calloc(n + 1, sizeof *to->positions);
-    to->normals = from->mNormals != NULL ? calloc(n + 1, sizeof *to->normals) : NULL;
-    to->uvs = from->mTextureCoords[0] != NULL ? calloc(n + 1, sizeof *to->uvs) : NULL;
-    to->colours = from->mColors[0] != NULL ? calloc(n + 1, sizeof *to->colours) : NULL;
-    to->triangles = calloc(from->mNumFaces + 1, sizeof *to->triangles);
-    if (to->positions == NULL || (from->mNormals != NULL && to->normals == NULL) || to->triangles == NULL ||
-        (from->mTextureCoords[0] != NULL && to->uvs == NULL) || (from->mColors[0] != NULL && to->colours == NULL)) {
-        return false;
+    const struct aiMesh *from = context;
+    const uint32_t v = from->mFaces[i / 3].mIndices[i % 3];
+    memcpy(to->position, &from->mVertices[v], sizeof to->position);
+    if (from->mNormals != NULL) {
+        memcpy(to->normal, &from->mNormals[v], sizeof to->normal);
     }
-    for (uint32_t i = 0; i < n; i++) {
-        memcpy(to->positions[i], &from->mVertices[i], sizeof *to->positions);
-        if (to->normals != NULL) {
-            memcpy(to->normals[i], &from->mNormals[i], sizeof *to->normals);
-        }
-        if (to->uvs != NULL) {
-            memcpy(to->uvs[i], &from->mTextureCoords[0][i], sizeof *to->uvs);
-        }
-        if (to->colours != NULL) {
-            memcpy(to->colours[i], &from->mColors[0][i], sizeof *to->colours);
-        }
+    if (from->mTextureCoords[0] != NULL) {
+        memcpy(to->uv, &from->mTextureCoords[0][v], sizeof to->uv);
     }
-    for (uint32_t f = 0; f < from->mNumFaces; f++) {
-        const unsigned *v = from->mFaces[f].mIndices;
-        if (from->mFaces[f].mNumIndices == 3 && v[0] < n && v[1] < n && v[2] < n) {
-            memcpy(to->triangles[to->triangle_count++], v, sizeof *to->triangles);
-        }
+    if (from->mColors[0] != NULL) {
+        memcpy(to->colour, &from->mColors[0][v], sizeof to->colour);
     }
-    return true;
 }
 
-static uint32_t count_nodes(const struct aiNode *node, uint32_t *meshes)
+/* Adds a mesh to the scene, as some of at most MODEL_VERTICES_MAX vertices; one that is not of triangles is left out.
+ */
+static bool convert_mesh(const struct aiMesh *from, struct model_scene *to)
+{
+    for (unsigned f = 0; f < from->mNumFaces; f++) {
+        if (from->mFaces[f].mNumIndices != 3) {
+            return true;
+        }
+    }
+    return model_weld(to, &(struct model_triangles){.count = from->mNumFaces,
+                                                    .material = from->mMaterialIndex,
+                                                    .has_normals = from->mNormals != NULL,
+                                                    .has_uvs = from->mTextureCoords[0] != NULL,
+                                                    .has_colours = from->mColors[0] != NULL,
+                                                    .corner = set_corner,
+                                                    .context = from});
+}
+
+static uint32_t count_nodes(const struct aiNode *node)
 {
     uint32_t count = 1;
-    *meshes += node->mNumMeshes;
     for (unsigned i = 0; i < node->mNumChildren; i++) {
-        count += count_nodes(node->mChildren[i], meshes);
+        count += count_nodes(node->mChildren[i]);
     }
     return count;
 }
 
+/* The meshes that those of assimp have become, first[m] .. first[m + 1] - 1. */
+struct converted {
+    const struct model_mesh *meshes;
+    const uint32_t *first;
+};
+
 /* Adds a node, copies of the meshes that it shows, and what is below it; returns its number. Recursive, as assimp is.
  */
 static uint32_t convert_node(const struct aiScene *scene, const struct aiNode *from, uint32_t parent,
-                             const struct model_mesh *meshes, struct model_scene *to)
+                             const struct converted *meshes, struct model_scene *to)
 {
     const struct aiMatrix4x4 *m = &from->mTransformation;
     const uint32_t number = to->node_count++;
@@ -241,9 +163,14 @@ static uint32_t convert_node(const struct aiScene *scene, const struct aiNode *f
         .first_mesh = to->mesh_count,
         .is_shown = true};
     for (unsigned i = 0; i < from->mNumMeshes; i++) {
-        if (meshes[from->mMeshes[i]].material < to->material_count) {
-            to->meshes[to->mesh_count++] = meshes[from->mMeshes[i]];
-            node->mesh_count++;
+        const uint32_t of = from->mMeshes[i];
+        for (uint32_t k = meshes->first[of]; k < meshes->first[of + 1]; k++) {
+            struct model_mesh *more = model_shared_grow(to->meshes, to->mesh_count, sizeof *more);
+            if (more != NULL && meshes->meshes[k].material < to->material_count) {
+                to->meshes = more;
+                to->meshes[to->mesh_count++] = meshes->meshes[k];
+                node->mesh_count++;
+            }
         }
     }
     if (scene->mNumCameras > 0 && strcmp(from->mName.data, scene->mCameras[0]->mName.data) == 0 &&
@@ -265,13 +192,13 @@ static void set_vector(float to[3], const struct aiVector3D *from)
 
 static bool convert(const struct aiScene *from, struct model_scene *to)
 {
-    uint32_t shown = 0;
-    struct model_mesh *meshes = calloc(from->mNumMeshes + 1, sizeof *meshes);
-    to->nodes = calloc(count_nodes(from->mRootNode, &shown), sizeof *to->nodes);
-    to->meshes = calloc(shown + 1, sizeof *to->meshes);
-    bool done = meshes != NULL && to->nodes != NULL && to->meshes != NULL;
+    struct model_scene all = {.mesh_count = 0};
+    uint32_t *first = calloc((size_t)from->mNumMeshes + 1, sizeof *first);
+    to->nodes = calloc(count_nodes(from->mRootNode), sizeof *to->nodes);
+    bool done = first != NULL && to->nodes != NULL;
     for (unsigned m = 0; done && m < from->mNumMeshes; m++) {
-        done = convert_mesh(from->mMeshes[m], &meshes[m]);
+        done = convert_mesh(from->mMeshes[m], &all);
+        first[m + 1] = all.mesh_count;
     }
     if (!done) {
         return false;
@@ -292,33 +219,24 @@ static bool convert(const struct aiScene *from, struct model_scene *to)
         set_vector(to->camera.forward, &camera->mLookAt);
         set_vector(to->camera.up, &camera->mUp);
     }
-    to->first_node = convert_node(from, from->mRootNode, MODEL_NONE, meshes, to);
-    free(meshes);
+    to->first_node = convert_node(from, from->mRootNode, MODEL_NONE, &(struct converted){all.meshes, first}, to);
     return true;
 }
 
 bool model_assimp_read(struct model_shared *shared, struct model_scene *to)
 {
-    const char *const path = shared->folder.model;
-    const bool is_stl = model_shared_ends(shared, ".stl");
     struct aiFileIO io = model_file_io(&shared->folder);
-    if (is_endless_ply(path)) {
-        return model_shared_failed(shared, "is broken: a PLY header without its end");
-    }
-    const struct aiScene *scene = import(path, is_stl, &io);
+    const struct aiScene *scene = import(shared->folder.model, &io);
     if (scene == NULL) {
         return model_shared_failed(shared, "is no model that can be read: %s", aiGetErrorString());
     }
     if (!check(shared, scene)) {
         return false;
     }
-    scale_to_reason(scene);
-    scene = aiApplyPostProcessing(scene, steps(scene, is_stl, model_shared_ends(shared, ".ply")));
+    scene = aiApplyPostProcessing(scene, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_FlipUVs |
+                                             (shares_vertices(scene) ? 0u : (unsigned)aiProcess_GenSmoothNormals));
     if (scene == NULL) {
         return model_shared_failed(shared, "is broken: %s", aiGetErrorString());
-    }
-    if (model_shared_ends(shared, ".obj")) {
-        model_materials_note_missing(shared);
     }
     to->materials = model_materials_read(shared, scene);
     return (to->materials != NULL && convert(scene, to)) || model_shared_failed(shared, "needs too much memory");

@@ -1,5 +1,3 @@
-#define _DEFAULT_SOURCE /* access */
-
 #include "model_materials.h"
 
 #include "model_surface.h"
@@ -9,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* The colour of a model without materials. */
 static const struct aiColor4D plain = {.86f, .80f, .70f, 1};
@@ -26,26 +23,6 @@ static const struct aiTexture *find_embedded(const struct aiScene *scene, const 
         }
     }
     return NULL;
-}
-
-void model_materials_note_missing(struct model_shared *shared)
-{
-    static const char keyword[] = "mtllib ";
-    char line[1024], path[MODEL_PATH_BYTES];
-    FILE *model = fopen(shared->folder.model, "r");
-    while (model != NULL && fgets(line, sizeof line, model) != NULL) {
-        if (strncmp(line, keyword, sizeof keyword - 1) != 0) {
-            continue;
-        }
-        const char *name = line + sizeof keyword - 1;
-        line[strcspn(line, "\r\n")] = '\0';
-        if (!model_folder_find(&shared->folder, name, path) || access(path, R_OK) != 0) {
-            model_shared_note(shared, "materials %.100s cannot be opened", name);
-        }
-    }
-    if (model != NULL) {
-        fclose(model);
-    }
 }
 
 /* NULL, or why there is no picture. */

@@ -6,9 +6,6 @@
 
 #include <assimp/scene.h>
 
-/* Notes the material files that an OBJ file names and that cannot be opened. */
-void model_materials_note_missing(struct model_shared *shared);
-
 /* Returns the materials of the scene, or NULL when the arena is full. */
 struct model_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene);
 

@@ -3,6 +3,6 @@
 bool model_assimp_read(struct model_shared *shared, struct model_scene *scene)
 {
     (void)scene;
-    return model_shared_failed(shared, "this program was built without assimp; install libassimp-dev (Debian) and make "
-                                       "again");
+    return model_shared_failed(shared, "is no model that can be read: OBJ, STL, PLY, glTF and GLB are; for other "
+                                       "formats install libassimp-dev (Debian) and make again");
 }
