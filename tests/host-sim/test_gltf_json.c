@@ -105,7 +105,8 @@ static void what_is_no_json_is_refused_where_it_breaks_off(void **state)
                  {"{\"a\":\"\\u0000\"}", 12},
                  {"{\"a\":\"\\ud800\"}", 12},
                  {"{\"a\":\"\\udc00\"}", 12},
-                 {"{\"a\":\"\\ud800\\u0061\"}", 18}};
+                 {"{\"a\":\"\\ud800\\u0061\"}", 18},
+                 {"{\"a\":\"\\ud800\\ud800\"}", 18}};
     (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         const char *why = NULL;

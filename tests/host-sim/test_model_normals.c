@@ -68,12 +68,17 @@ static void corners_that_a_file_has_rounded_meet(void **state)
         bool meets;
     } cases[] = {{1e-5f, true}, {-1e-5f, true}, {1.2e-4f, true}, {-1.2e-4f, true}, {1e-3f, false}, {-1e-3f, false}};
     (void)state;
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        float p[6][3];
-        make_fold(p, 30, 1, cases[i].gap);
-        float(*n)[3] = make(p, 2);
-        assert_int_equal(is_turned(n[0], cases[i].meets ? 15 : 0), true);
-        assert_int_equal(is_turned(n[4], cases[i].meets ? 15 : 30), true);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0] * 16; i++) {
+        const float gap = cases[i / 16].gap, below = (float)(i % 16) * -5e-5f;
+        const bool meets = cases[i / 16].meets;
+        float p[9][3];
+        make_fold(p, 30, 1, gap);
+        for (int k = 6; k < 9; k++) { /* a point that moves the borders of the cells */
+            memcpy(p[k], (float[3]){below, -1 + below, below}, sizeof p[k]);
+        }
+        float(*n)[3] = make(p, 3);
+        assert_true(is_turned(n[0], meets ? 15 : 0));
+        assert_true(is_turned(n[4], meets ? 15 : 30));
         free(n);
     }
 }
