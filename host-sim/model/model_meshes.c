@@ -121,7 +121,7 @@ static void copy_triangles(const struct piece *from, uint16_t (*to)[3])
 /* Copies the vertex colours; where all are the colour of the material, there are none. */
 static bool copy_colours(struct model_shared *shared, const struct piece *piece, struct ph_mesh *to)
 {
-    float(*const from)[3] = piece->place->mesh->colours;
+    const float(*const from)[3] = (const float(*)[3])piece->place->mesh->colours;
     const struct ph_blend *blend = to->materials->blend;
     if (from == NULL || (blend != NULL && blend->kind == PH_BLEND_ADD)) { /* a glow has its own colour */
         return true;

@@ -134,12 +134,16 @@ bool model_rig_find(struct model_shared *shared, struct model_scene *scene)
         return true;
     }
     const size_t n = scene->node_count;
-    struct model_rig *rig = calloc(1, sizeof *rig);
     struct model_node *nodes = realloc(scene->nodes, sizeof *nodes * (2 * n + 1));
-    if (rig == NULL || nodes == NULL) {
+    if (nodes == NULL) {
         return false;
     }
     scene->nodes = nodes;
+    struct model_rig *rig = calloc(1, sizeof *rig);
+    if (rig == NULL) {
+        return false;
+    }
+    shared->rig = rig;
     *rig = (struct model_rig){
         .scene = scene, .nodes = calloc(n + 1, sizeof *rig->nodes), .order = calloc(n + 1, sizeof *rig->order)};
     if (rig->nodes == NULL || rig->order == NULL) {
@@ -156,7 +160,6 @@ bool model_rig_find(struct model_shared *shared, struct model_scene *scene)
     for (uint32_t k = 0; k < rig->node_count; k++) {
         move_skinned(rig, scene, rig->order[k]);
     }
-    shared->rig = rig;
     return true;
 }
 

@@ -341,7 +341,10 @@ static bool make_mesh(const struct obj *obj, struct model_scene *scene, uint32_t
                           .corners = calloc(n, sizeof *t.corners), /* a polygon has two triangles less than corners */
                           .positions = calloc(n, sizeof *t.positions),
                           .faces = calloc(n, sizeof *t.faces)};
-    bool done = (t.corners != NULL && t.positions != NULL && t.faces != NULL) || no_memory(obj);
+    bool done = t.corners != NULL && t.positions != NULL && t.faces != NULL;
+    if (!done) {
+        no_memory(obj);
+    }
     for (uint32_t p = first; done && p < end; p++) {
         done = has_corners(obj, &obj->polygons[p]) && cut_polygon(&obj->polygons[p], &t);
     }
@@ -364,11 +367,11 @@ bool model_obj_read(struct model_shared *shared, struct model_scene *scene)
 {
     size_t n = 0;
     const char *bytes = model_text_load(shared->folder.model, &n);
-    struct obj obj = {
-        .shared = shared, .text = {.at = bytes, .end = bytes + n, .line = 1, .is_joined = true}, .group = {"", 0}};
     if (bytes == NULL) {
         return model_shared_failed(shared, "cannot be read, or needs too much memory");
     }
+    struct obj obj = {
+        .shared = shared, .text = {.at = bytes, .end = bytes + n, .line = 1, .is_joined = true}, .group = {"", 0}};
     if (!model_mtl_add_plain(shared, scene, &obj.mtls, &(struct model_word){"", 0}) || !begin_run(&obj, 0)) {
         return false;
     }

@@ -350,15 +350,14 @@ static bool add_face(struct ply *ply, const struct corner *corners, uint32_t n)
     for (uint32_t i = 0; done && i < n; i++) {
         memcpy(points[i], &ply->vertices[corners[i].vertex].of[X], sizeof *points);
     }
-    if (!done || !model_polygon_cut(points, n, cut)) {
-        done = fail_at(ply, "a face that is not convex has too many corners");
-    }
+    const bool is_cut = done && model_polygon_cut(points, n, cut);
+    done = is_cut;
     for (uint32_t i = 0; done && i + 2 < n; i++) {
         done = add_triangle(ply, &corners[cut[i][0]], &corners[cut[i][1]], &corners[cut[i][2]]);
     }
     free(points);
     free(cut);
-    return done;
+    return is_cut ? done : fail_at(ply, "a face that is not convex has too many corners");
 }
 
 static bool add_polygon(struct ply *ply, const struct list *indices, const struct list *uvs)
@@ -369,7 +368,10 @@ static bool add_polygon(struct ply *ply, const struct list *indices, const struc
         return true; /* a point or a line */
     }
     struct corner *corners = calloc(n, sizeof *corners);
-    bool done = corners != NULL || model_shared_failed(ply->shared, "needs too much memory");
+    if (corners == NULL) {
+        return model_shared_failed(ply->shared, "needs too much memory");
+    }
+    bool done = true;
     for (uint32_t i = 0; done && i < n; i++) {
         done = set_corner_of(ply, indices->numbers[i], &corners[i]);
         for (uint32_t k = 0; has_uvs && k < 2; k++) {

@@ -229,6 +229,7 @@ static bool read_all(struct parser *p)
     return true;
 }
 
+/* NOLINTNEXTLINE(readability-non-const-parameter): strings are decoded in place */
 struct gltf_json *gltf_json_parse(char *text, size_t n, const char **why, size_t *at)
 {
     struct parser p = {.at = text, .end = text + n};
