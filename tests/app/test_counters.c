@@ -78,7 +78,7 @@ static const struct animation moving = {
 static int clip_init(struct demo_context *context)
 {
     struct ph_mesh *const mesh = demo_alloc(&context->arena, sizeof *mesh);
-    const struct ph_material material = {.shading = PH_SHADE_UNLIT, .colour = 0xffff};
+    static const struct ph_material material = {.shading = PH_SHADE_UNLIT, .colour = 0xffff};
     assert_int_equal(model_cube(&context->arena, mesh), PH_OK);
     assert_int_equal(model_material(&context->arena, mesh, &material), PH_OK);
     return animation_init(context, &moving, mesh, 1, NULL);
