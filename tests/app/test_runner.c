@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
+#include "boards.h"
 #include "runner.h"
 #include "sim.h"
 
@@ -377,6 +378,57 @@ static void tiles_show_every_demo_as_it_is(void **state)
 }
 
 /* Without a queue nobody knows when the buffer of a band that was not sent is free. */
+static int edge_status;
+static uint32_t edge_timeout_us;
+
+static int late_te_wait(void *context, uint32_t timeout_us)
+{
+    (void)context;
+    edge_timeout_us = timeout_us;
+    return edge_status;
+}
+
+/* Frames of at least 15 a second give an edge in time. */
+static void a_frame_that_gets_no_edge_is_sent_and_counted(void **state)
+{
+    (void)state;
+    static const int statuses[] = {HAL_OK, HAL_ETIMEDOUT, HAL_ETIMEDOUT, HAL_OK, HAL_ETIMEDOUT};
+    struct board board = board_pico_display;
+    board.pins.tearing = (struct board_pin)BOARD_PIN(7);
+    struct hal_ops ops = late_ops;
+    ops.te_wait = late_te_wait;
+    struct stage *s = stage_open(&board, 60000, 0);
+    s->runner.hal.ops = &ops;
+    uint32_t missed = 0;
+    for (uint32_t frame = 0; frame < sizeof statuses / sizeof statuses[0]; frame++) {
+        const uint64_t before = sim_counters(s->bus.sim).bytes;
+        edge_status = statuses[frame];
+        missed += edge_status == HAL_ETIMEDOUT;
+        assert_int_equal(runner_frame(&s->runner, frame), 0);
+        assert_int_equal(runner_finish(&s->runner), 0);
+        assert_int_equal(s->runner.edges_missed, missed);
+        assert_true(sim_counters(s->bus.sim).bytes - before >= 2 * 240 * 135);
+        assert_in_range(edge_timeout_us, 1000000 / 60, 1000000 / 15);
+    }
+    edge_status = HAL_EIO;
+    assert_int_equal(runner_frame(&s->runner, 9), HAL_EIO);
+    assert_int_equal(s->runner.edges_missed, missed);
+    stage_close(s);
+}
+
+static void no_edge_is_waited_for_where_its_line_is_not_wired(void **state)
+{
+    (void)state;
+    struct hal_ops ops = late_ops;
+    ops.te_wait = late_te_wait;
+    edge_status = HAL_ETIMEDOUT;
+    struct stage *s = stage_open(&board_pico_display, 60000, 0);
+    s->runner.hal.ops = &ops;
+    assert_int_equal(runner_frame(&s->runner, 0), 0);
+    assert_int_equal(s->runner.edges_missed, 0);
+    stage_close(s);
+}
+
 static void without_a_queue_frames_are_sent_whole(void **state)
 {
     (void)state;
@@ -398,6 +450,8 @@ int main(void)
         cmocka_unit_test(other_bands_share_the_memory_out_alike),
         cmocka_unit_test(no_buffer_in_the_queue_is_touched),
         cmocka_unit_test(tiles_show_every_demo_as_it_is),
+        cmocka_unit_test(a_frame_that_gets_no_edge_is_sent_and_counted),
+        cmocka_unit_test(no_edge_is_waited_for_where_its_line_is_not_wired),
         cmocka_unit_test(without_a_queue_frames_are_sent_whole),
         cmocka_unit_test(no_buffer_is_touched_while_it_is_sent),
         cmocka_unit_test(select_takes_the_next_demo_that_fits),
