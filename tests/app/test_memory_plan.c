@@ -366,6 +366,15 @@ static void other_bands_share_the_lines_of_the_boards_own(void **state)
     }
 }
 
+static void bands_of_no_lines_are_no_plan_and_no_error(void **state)
+{
+    (void)state;
+    struct runner_config config = config_of(200000);
+    config.band_height = 0;
+    assert_int_equal(memory_plan(&config, &thing).picture.bands, 0);
+    assert_int_equal(memory_plan(&config, &thing).picture.buffers, 2);
+}
+
 static void a_blur_in_other_bands_takes_what_these_want(void **state)
 {
     (void)state;
@@ -421,6 +430,7 @@ int main(void)
         cmocka_unit_test_setup(buffers_are_taken_away_for_a_blur, fresh),
         cmocka_unit_test_setup(room_beside_a_whole_scene_becomes_buffers_of_which_16_are_enough, fresh),
         cmocka_unit_test_setup(other_bands_share_the_lines_of_the_boards_own, fresh),
+        cmocka_unit_test_setup(bands_of_no_lines_are_no_plan_and_no_error, fresh),
         cmocka_unit_test_setup(a_blur_in_other_bands_takes_what_these_want, fresh),
         cmocka_unit_test_setup(memory_is_enough_for_every_demo_and_no_more_than_one_takes, fresh),
     };

@@ -204,6 +204,106 @@ static void the_clock_can_be_changed_between_frames(void **state)
     sim_close(sim);
 }
 
+/* ---- windows ----------------------------------------------------------------------------------------------------- */
+
+struct open_panel {
+    struct board board;
+    struct hal hal;
+    struct sim *sim;
+    struct panel_driver d;
+    uint8_t scratch[PANEL_SCRATCH_MIN];
+};
+
+/* An open panel that shows picture number 1. */
+static void open_panel(struct open_panel *p, const struct panel *panel, unsigned rotation, unsigned format)
+{
+    p->board = board_with(panel);
+    p->sim = sim_open(&p->board, &p->hal);
+    assert_non_null(p->sim);
+    const struct panel_config config = {panel,           (uint8_t)rotation, (uint8_t)format,
+                                        p->board.spi_hz, p->scratch,        sizeof p->scratch};
+    assert_int_equal(panel_open(&p->d, &p->hal, &config), 0);
+    picture_fill(picture, p->d.width, p->d.height, 1);
+    assert_int_equal(picture_draw(&p->d, picture, 16), 0);
+}
+
+static void close_panel(struct open_panel *p, const char *what)
+{
+    assert_int_equal(panel_close(&p->d), 0);
+    picture_no_complaint(p->sim, what);
+    sim_close(p->sim);
+}
+
+/* Changes a part of the picture, and sends it out of the whole picture, `lines` lines at a time. */
+static void show_window(struct open_panel *p, uint32_t x, uint32_t y, uint32_t width, uint32_t height, uint32_t lines)
+{
+    const uint32_t stride = p->d.width;
+    for (uint32_t i = 0; i < width * height; i++) {
+        picture[(y + i / width) * stride + x + i % width] ^= (uint16_t)(0x1F3F + i);
+    }
+    assert_int_equal(panel_window(&p->d, x, y, width, height), 0);
+    for (uint32_t row = 0; row < height; row += lines) {
+        const uint32_t n = height - row < lines ? height - row : lines;
+        assert_int_equal(panel_window_rows(&p->d, picture + (y + row) * stride + x, stride, n), 0);
+    }
+    assert_int_equal(panel_window_rows(&p->d, picture, stride, 1), HAL_EINVAL); /* it is full */
+    assert_int_equal(panel_wait(&p->d), 0);
+}
+
+static void windows_show_their_part_of_the_picture_wherever_they_lie(void **state)
+{
+    (void)state;
+    static const struct panel *const panels[] = {&panel_st7735s_80x160, &panel_ssd1351_128x128, &panel_ssd0323_128x64};
+    for (size_t i = 0; i < sizeof panels / sizeof panels[0]; i++) {
+        for (unsigned rotation = 0; rotation < 4; rotation++) {
+            static struct open_panel p;
+            const unsigned format = (unsigned)__builtin_ctz(panels[i]->formats);
+            open_panel(&p, panels[i], rotation, format);
+            const uint32_t width = p.d.width, height = p.d.height;
+            panel_windows_begin(&p.d);
+            assert_int_equal(panel_rows(&p.d, picture, 1), HAL_EINVAL); /* none is open */
+            show_window(&p, 0, 0, 2, 2, 1);
+            show_window(&p, 4, 6, 10, 12, 5);
+            show_window(&p, 4, 20, 10, 8, 8);                /* in the same columns */
+            show_window(&p, 20, 20, 8, 8, 3);                /* in the same lines */
+            show_window(&p, width - 6, height - 4, 6, 4, 4); /* in the last corner */
+            show_window(&p, 0, height - 2, width, 2, 2);
+            sim_pixels(p.sim, rotation, seen);
+            picture_expect(picture, width, height, format, panels[i]->round, expected);
+            picture_compare(seen, expected, width, height, panels[i]->name);
+            close_panel(&p, panels[i]->name);
+        }
+    }
+}
+
+static void a_window_outside_of_the_picture_or_within_a_byte_is_refused(void **state)
+{
+    (void)state;
+    static const uint32_t wrong[][4] = {{0, 0, 0, 1},  {0, 0, 1, 0},   {80, 0, 1, 1}, {0, 160, 1, 1},
+                                        {79, 0, 2, 1}, {0, 159, 1, 2}, {1, 0, 80, 1}, {0, 100, 1, 61}};
+    static struct open_panel p;
+    open_panel(&p, &panel_st7735s_80x160, PANEL_R0, PANEL_RGB565);
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        assert_int_equal(panel_window(&p.d, 3, 3, 5, 5), 0); /* odd ones are fine in this format */
+        assert_int_equal(panel_window(&p.d, wrong[i][0], wrong[i][1], wrong[i][2], wrong[i][3]), HAL_EINVAL);
+        assert_int_equal(panel_rows(&p.d, picture, 1), HAL_EINVAL); /* none is open any more */
+    }
+    show_window(&p, 79, 159, 1, 1, 1);
+    close_panel(&p, "windows");
+    for (unsigned rotation = PANEL_R0; rotation <= PANEL_R90;
+         rotation++) { /* two columns, or two lines, share a byte */
+        open_panel(&p, &panel_ssd0323_128x64, rotation, PANEL_GREY4);
+        assert_int_equal(panel_window(&p.d, 3, 2, 2, 2), rotation == PANEL_R0 ? HAL_EINVAL : 0);
+        assert_int_equal(panel_window(&p.d, 2, 2, 3, 2), rotation == PANEL_R0 ? HAL_EINVAL : 0);
+        assert_int_equal(panel_window(&p.d, 2, 3, 2, 2), rotation == PANEL_R0 ? 0 : HAL_EINVAL);
+        assert_int_equal(panel_window(&p.d, 2, 2, 2, 3), rotation == PANEL_R0 ? 0 : HAL_EINVAL);
+        show_window(&p, 2, 2, 2, 2, 2);
+        show_window(&p, 2, 6, 2, 4, 1);
+        panel_close(&p.d);
+        sim_close(p.sim);
+    }
+}
+
 static void grey_is_dithered_evenly_between_its_levels(void **state)
 {
     (void)state;
@@ -301,6 +401,8 @@ int main(void)
         cmocka_unit_test(a_frame_costs_at_most_one_percent_more_than_its_pixels),
         cmocka_unit_test(the_frame_time_is_that_of_the_bits),
         cmocka_unit_test(the_clock_can_be_changed_between_frames),
+        cmocka_unit_test(windows_show_their_part_of_the_picture_wherever_they_lie),
+        cmocka_unit_test(a_window_outside_of_the_picture_or_within_a_byte_is_refused),
         cmocka_unit_test(grey_is_dithered_evenly_between_its_levels),
         cmocka_unit_test(odd_greys_are_padded_beside_the_glass),
         cmocka_unit_test(panels_are_found_by_name),
