@@ -55,6 +55,7 @@ static void shoot(const struct shot *s)
         assert_int_equal(picture_draw(&d, picture, s->lines), 0);
         uint64_t bytes = sim_counters(sim).bytes - before;
         if (frame == 1) { /* the first one also turns the display on */
+            assert_int_equal(d.frame_bytes, bytes);
             assert_int_equal(bytes, panel_frame_bytes(s->panel, s->format, s->rotation));
         }
     }
@@ -204,6 +205,49 @@ static void the_clock_can_be_changed_between_frames(void **state)
     sim_close(sim);
 }
 
+/* Clocks at which the time is a whole number of us and a bit. */
+static void the_frame_time_is_rounded_up(void **state)
+{
+    (void)state;
+    const uint64_t bits = 8ULL * panel_frame_bytes(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0);
+    uint32_t found = 0;
+    for (uint32_t hz = 1000; hz < 2000000; hz++) {
+        if (bits * 1000000 % hz == 1 || bits * 1000000 % hz == 0) {
+            const uint64_t us = bits * 1000000 / hz + bits * 1000000 % hz;
+            assert_int_equal(panel_frame_us(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0, hz), us);
+            found += bits * 1000000 % hz;
+        }
+    }
+    assert_true(found > 0);
+}
+
+static void a_panel_is_not_opened_with_what_it_does_not_have(void **state)
+{
+    (void)state;
+    static uint8_t scratch[PANEL_SCRATCH_MIN];
+    struct board board = board_with(&panel_st7735s_80x160);
+    struct hal hal;
+    struct panel_driver d;
+    struct sim *const sim = sim_open(&board, &hal);
+    const struct panel_config right = {board.panel, PANEL_R270, PANEL_RGB666, board.spi_hz, scratch, sizeof scratch};
+    struct panel_config wrong[6];
+    for (size_t i = 0; i < 6; i++) {
+        wrong[i] = right;
+    }
+    wrong[0].rotation = PANEL_R270 + 1;
+    wrong[1].format = PANEL_GREY4 + 1;
+    wrong[2].format = PANEL_GREY4; /* the glass has colours */
+    wrong[3].clock_hz = 0;
+    wrong[4].scratch = NULL;
+    wrong[5].scratch_bytes = PANEL_SCRATCH_MIN - 1;
+    for (size_t i = 0; i < 6; i++) {
+        assert_int_equal(panel_open(&d, &hal, &wrong[i]), HAL_EINVAL);
+    }
+    assert_int_equal(panel_open(&d, &hal, &right), 0);
+    assert_int_equal(panel_close(&d), 0);
+    sim_close(sim);
+}
+
 /* ---- windows ----------------------------------------------------------------------------------------------------- */
 
 struct open_panel {
@@ -214,14 +258,15 @@ struct open_panel {
     uint8_t scratch[PANEL_SCRATCH_MIN];
 };
 
-/* An open panel that shows picture number 1. */
+/* An open panel that shows picture number 1. RGB565 needs no scratch memory; in two rotations it has none. */
 static void open_panel(struct open_panel *p, const struct panel *panel, unsigned rotation, unsigned format)
 {
     p->board = board_with(panel);
     p->sim = sim_open(&p->board, &p->hal);
     assert_non_null(p->sim);
+    uint8_t *const scratch = format == PANEL_RGB565 && (rotation & 1) != 0 ? NULL : p->scratch;
     const struct panel_config config = {panel,           (uint8_t)rotation, (uint8_t)format,
-                                        p->board.spi_hz, p->scratch,        sizeof p->scratch};
+                                        p->board.spi_hz, scratch,           scratch != NULL ? sizeof p->scratch : 0};
     assert_int_equal(panel_open(&p->d, &p->hal, &config), 0);
     picture_fill(picture, p->d.width, p->d.height, 1);
     assert_int_equal(picture_draw(&p->d, picture, 16), 0);
@@ -274,6 +319,48 @@ static void windows_show_their_part_of_the_picture_wherever_they_lie(void **stat
             close_panel(&p, panels[i]->name);
         }
     }
+}
+
+static uint32_t flushes;
+
+static void count_flush(void *context)
+{
+    (void)context;
+    flushes++;
+}
+
+/* A border is a command and four bytes, and a window ends its borders with a command. */
+static void borders_that_the_controller_has_are_not_sent_again(void **state)
+{
+    (void)state;
+    static struct open_panel p;
+    open_panel(&p, &panel_st7735s_80x160, PANEL_R0, PANEL_RGB565);
+    const struct hal_ops *const plain = p.d.hal.ops;
+    struct hal_ops ops = *plain;
+    ops.bus_flush = count_flush;
+    p.d.hal.ops = &ops;
+    panel_windows_begin(&p.d);
+    flushes = 0;
+    static const struct {
+        uint32_t x, y, bytes;
+    } windows[] = {{4, 6, 11}, {4, 20, 6}, {20, 20, 6}, {20, 20, 1}};
+    for (size_t i = 0; i < sizeof windows / sizeof windows[0]; i++) {
+        const uint32_t before = p.d.frame_bytes;
+        show_window(&p, windows[i].x, windows[i].y, 10, 8, 8);
+        assert_int_equal(p.d.frame_bytes - before, windows[i].bytes + 2 * 10 * 8);
+        assert_int_equal(flushes, i + 1); /* one when it is full */
+    }
+    assert_int_equal(panel_window(&p.d, 20, 20, 10, 8), 0);
+    assert_int_equal(panel_window_rows(&p.d, picture, 80, 7), 0); /* not all of it */
+    assert_int_equal(flushes, 4);
+    const uint32_t before = p.d.frame_bytes;
+    show_window(&p, 20, 20, 10, 8, 8);
+    assert_int_equal(p.d.frame_bytes - before, 11 + 2 * 10 * 8);
+    p.d.hal.ops = plain;
+    sim_pixels(p.sim, PANEL_R0, seen);
+    picture_expect(picture, 80, 160, PANEL_RGB565, false, expected);
+    picture_compare(seen, expected, 80, 160, "windows in a row");
+    close_panel(&p, "windows in a row");
 }
 
 static void a_window_outside_of_the_picture_or_within_a_byte_is_refused(void **state)
@@ -401,7 +488,10 @@ int main(void)
         cmocka_unit_test(a_frame_costs_at_most_one_percent_more_than_its_pixels),
         cmocka_unit_test(the_frame_time_is_that_of_the_bits),
         cmocka_unit_test(the_clock_can_be_changed_between_frames),
+        cmocka_unit_test(the_frame_time_is_rounded_up),
+        cmocka_unit_test(a_panel_is_not_opened_with_what_it_does_not_have),
         cmocka_unit_test(windows_show_their_part_of_the_picture_wherever_they_lie),
+        cmocka_unit_test(borders_that_the_controller_has_are_not_sent_again),
         cmocka_unit_test(a_window_outside_of_the_picture_or_within_a_byte_is_refused),
         cmocka_unit_test(grey_is_dithered_evenly_between_its_levels),
         cmocka_unit_test(odd_greys_are_padded_beside_the_glass),
