@@ -71,10 +71,10 @@ struct board {
                                  It is pico-sdk's PICO_XOSC_STARTUP_DELAY_MULTIPLIER, 64 for many boards */
     struct board_button buttons[BOARD_BUTTONS_MAX];
     uint8_t button_count;
-    uint16_t band_height; /* lines, default */
-    uint8_t band_buffers; /* bands in memory at a time, as a rule; 0: 2, for backends without a queue (bus_queue) */
-    uint32_t scene_bytes; /* memory for scenes: models, lists, depth and bands. Images and pinhole-sim give as much, so
-                             that they draw the same; a microcontroller kit's stands in boards/budgets.h */
+    uint16_t band_height;  /* lines, default */
+    uint8_t band_buffers;  /* bands in memory at a time, as a rule; 0: 2, for backends without a queue (bus_queue) */
+    uint32_t scene_bytes;  /* memory for scenes: models, lists, depth and bands. Images and pinhole-sim give as much, so
+                              that they draw the same; a microcontroller kit's stands in boards/budgets.h */
     uint32_t image_ram[2]; /* RAM that an image with one core may take, and one with two, scene and stack included;
                               0: all that the chip has */
 };

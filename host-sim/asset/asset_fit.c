@@ -37,8 +37,8 @@ static double room(const struct asset *asset, const struct asset_goal *goal)
     double share = ((double)goal->flash_bytes - (double)texture_bytes(asset)) / flash;
     if (goal->board != NULL) {
         const double bands = (double)asset_band_bytes(goal->board);
-        const double frame = ((double)goal->board->scene_bytes - bands) /
-                             ((double)asset_frame_bytes(asset, goal->board, true) - bands);
+        const double frame =
+            ((double)goal->board->scene_bytes - bands) / ((double)asset_frame_bytes(asset, goal->board, true) - bands);
         share = frame < share ? frame : share;
     }
     return share > 0 ? share : 0;

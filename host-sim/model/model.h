@@ -1,6 +1,6 @@
 /*
- * model: a model file (OBJ, STL, PLY, glTF, GLB, and with assimp whatever that reads) as meshes for the renderer, and as a demo.
- * A binary scene (.phs, scene_file.h) is drawn as it is: no option changes it.
+ * model: a model file (OBJ, STL, PLY, glTF, GLB, and with assimp whatever that reads) as meshes for the renderer, and
+ * as a demo. A binary scene (.phs, scene_file.h) is drawn as it is: no option changes it.
  *
  * The model is triangulated, the transforms of its nodes are applied, and points and lines are left out. Missing
  * normals are made: smooth for OBJ and STL, with creases above 66 degrees; flat for PLY, glTF and other formats that
@@ -25,9 +25,10 @@
  * A model may name files of its own folder and below: buffers, pictures, materials. One that leads out of it (../,
  * an absolute path, a link) is an error unless options allow it: what a stranger's model names ends in an image.
  *
- * A reader for each format makes a scene (model_scene.h), of which the meshes are made: formats/ has OBJ, STL and PLY, gltf/
- * glTF and GLB, without any library; assimp/ has other formats by libassimp, and noassimp/ says what to install. A child process with limits of time and
- * memory does it in shared memory: a file that crashes or hangs the reader costs one line, not the program.
+ * A reader for each format makes a scene (model_scene.h), of which the meshes are made: formats/ has OBJ, STL and PLY,
+ * gltf/ glTF and GLB, without any library; assimp/ has other formats by libassimp, and noassimp/ says what to install.
+ * A child process with limits of time and memory does it in shared memory: a file that crashes or hangs the reader
+ * costs one line, not the program.
  */
 #ifndef MODEL_H
 #define MODEL_H

@@ -7,8 +7,8 @@
 static int refuse(const struct sim_player_setup *setup, int status)
 {
     if (status == PH_ERR_NOMEM) {
-        return complain("%s: its %u bytes do not hold %s; %s", setup->board->name,
-                        (unsigned)setup->board->scene_bytes, setup->file != NULL ? setup->file : setup->demo->name,
+        return complain("%s: its %u bytes do not hold %s; %s", setup->board->name, (unsigned)setup->board->scene_bytes,
+                        setup->file != NULL ? setup->file : setup->demo->name,
                         setup->cure != NULL ? setup->cure : "take a smaller scene or another board");
     }
     return complain("%s: the panel does not open (%d)", setup->board->name, status);

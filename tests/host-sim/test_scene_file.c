@@ -6,7 +6,6 @@
 #include "model_texture.h"
 #include "scene_file.h"
 
-
 #include <stdlib.h>
 #include <string.h>
 

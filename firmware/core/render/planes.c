@@ -114,8 +114,8 @@ static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t
 
 /* The plane with that gradient through `value` at the first corner. */
 PH_TIER(scenery)
-static PH_NOINLINE
-    int wide_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2)
+static PH_NOINLINE int wide_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int64_t d1,
+                                  int64_t d2)
 {
     int halved;
     const struct pixel_gradient g = wide_gradient(s, d1, d2, &halved);
@@ -431,9 +431,9 @@ static int texture_range(const struct ph_texture *texture, const fx_t *const uv[
 
 /* The planes of u/w, v/w and 1/w, once t->block is set. uv: those of each corner; NULL counts as 0. */
 PH_TIER(scenery)
-static PH_NOINLINE
-    void setup_texture(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
-                       const fx_t *const corner_uv[3], struct ph_triangle *t)
+static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct plane_base *s,
+                                      const struct ph_vertex *const v[3], const fx_t *const corner_uv[3],
+                                      struct ph_triangle *t)
 {
     static const fx_t origin[2];
     static const fx_t *const origins[3] = {origin, origin, origin};

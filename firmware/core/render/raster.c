@@ -55,8 +55,8 @@ PH_TIER(loop) static FX_APART void skip_rows(struct ph_small_triangle *r, uint32
 
 /* Cuts a triangle down to its rows in the band. Returns the place of the first of them. */
 PH_TIER(loop)
-static FX_APART struct ph_place
-    cut_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_small_triangle *r)
+static FX_APART struct ph_place cut_rows(const struct ph_triangle *t, const struct ph_band *band,
+                                         struct ph_small_triangle *r)
 {
     int32_t y = t->y_top - band->y0;
     if (y < 0) {

@@ -175,8 +175,8 @@ uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangl
 
 /* Draws so many rows of a Gouraud triangle that is not small; r stands at the first of them. */
 PH_TIER(scenery)
-static uint32_t
-    draw_wide_rows(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at, uint32_t rows)
+static uint32_t draw_wide_rows(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
+                               uint32_t rows)
 {
     uint32_t count = 0;
     while (rows > 0) {

@@ -25,8 +25,8 @@ PH_TIER(mesh) static inline int fx_clz32(uint32_t v);
 /* The edge from a down to b at row y0, which it reaches, in 64 bits. A step down a row has 16 bits behind the point.
  * From a corner far above the picture thousands of them would lose up to 1/16 px, so y0 is reached at once. */
 PH_TIER(scenery)
-static PH_NOINLINE
-    void wide_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
+static PH_NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0,
+                                  struct ph_edge *edge)
 {
     int shift;
     const int32_t reciprocal = ph_wide_reciprocal((uint32_t)(b->y - a->y), &shift);
@@ -71,9 +71,9 @@ static FX_APART void setup_outline(int32_t height, const struct ph_vertex *const
 
 /* Edges and planes of any triangle. False if 32 bits do not do for its depth. */
 PH_TIER(scenery)
-static PH_NOINLINE
-    bool setup_any(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
-                   const fx_t *const uv[3], const struct ph_sides *sides, struct ph_triangle *t)
+static PH_NOINLINE bool setup_any(const struct ph_renderer *r, const struct ph_material *material,
+                                  const struct ph_vertex *const v[3], const fx_t *const uv[3],
+                                  const struct ph_sides *sides, struct ph_triangle *t)
 {
     setup_outline(r->config.height, v, t);
     t->material = material;
@@ -105,8 +105,8 @@ static inline bool is_narrow(uint32_t dx1, uint32_t dx2)
 enum reach { FAR, WIDE, NARROW }; /* narrow: as narrow as a small one */
 
 PH_TIER(few)
-static PH_NOINLINE enum reach
-    reach_of(const struct ph_setting *s, const struct ph_sides *sides, const struct ph_vertex *const v[3])
+static PH_NOINLINE enum reach reach_of(const struct ph_setting *s, const struct ph_sides *sides,
+                                       const struct ph_vertex *const v[3])
 {
     const uint32_t dx1 = (uint32_t)sides->dx1, dx2 = (uint32_t)sides->dx2, dy = (uint32_t)(sides->dy2 - sides->dy1);
     if (!s->takes_narrow || !sides->is_short ||
@@ -171,9 +171,9 @@ PH_TIER(mesh) static bool small_is_empty(const struct ph_small_triangle *s)
 
 /* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits do not do. */
 PH_TIER(mesh)
-static PH_NOINLINE
-    bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
-                      const struct ph_sides *sides, const uint32_t d[3], enum ph_small_setup done)
+static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
+                                     const struct ph_vertex *const v[3], const struct ph_sides *sides,
+                                     const uint32_t d[3], enum ph_small_setup done)
 {
     struct ph_small_triangle *const small = &t->as.small.rows;
     struct ph_depth any;

@@ -85,7 +85,7 @@ static FX_APART void begin_smooth(struct ph_texel_run *r, const struct ph_textur
 /* See small_texels.h. Light without a filter is the usual case of what ph_texture_small cannot draw. */
 PH_TIER(figure)
 PH_NOINLINE
-    void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
+void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
 {
     const struct ph_texture *texture = t->material->texture;
     const struct ph_small_map *const at = &t->as.small.of.map;

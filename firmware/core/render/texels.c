@@ -116,8 +116,8 @@ struct frame {
 /* The polynomial from way->base at the first corner. d1, d2: the differences of the other corners, Q16.16; `unit`: log2
  * of 2^-16 in units of the plane. */
 PH_TIER(figure)
-static FX_APART
-    void set_way(struct ph_plane *way, struct ph_curve *curve, const struct frame *f, int32_t d1, int32_t d2, int unit)
+static FX_APART void set_way(struct ph_plane *way, struct ph_curve *curve, const struct frame *f, int32_t d1,
+                             int32_t d2, int unit)
 {
     const int up = ph_min(fx_clz32(ph_without_sign(d1) | ph_without_sign(d2)) - 18, unit); /* to 14 bits */
     const int32_t p1 = (int32_t)shifted(d1, up) * f->warp.scale[1] >> 15;

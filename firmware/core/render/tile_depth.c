@@ -45,8 +45,8 @@ bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, st
 }
 /* Draws rows in one octave; the first of them is row `row` of the tile. */
 PH_TIER(scenery)
-static void draw_rows_in_octave(const struct ph_tile_kind *k, struct ph_tile_rows *r,
-                                const struct ph_tile_depth *depth, bool near, uint32_t row)
+static void draw_rows_in_octave(const struct ph_tile_kind *k, struct ph_tile_rows *r, const struct ph_tile_depth *depth,
+                                bool near, uint32_t row)
 {
     const struct ph_octave *const octave = &depth->octaves[near];
     const uint32_t d = r->row.d, gd = r->row.gd, rows = r->row.rows;
