@@ -135,7 +135,7 @@ function point(f, where,    at, text, name, names, before) {
         sub(/\[.*/, "", name)
         if (before ~ /(\.|->)$/ || called[name] same[name] != "" || (before == "" && names == "" && meant(at[1], name) == "")) { names = names " " name }
     }
-    if (names == "") { faults["call through a pointer: " where ": it has no name, and says not what it reaches"] }
+    if (names == "") { faults["call through a pointer: " where ": it has no name: say there whom it reaches, /* calls NAME */"] }
     reaches(f, names)
 }
 
@@ -175,7 +175,7 @@ END {
         for (i = 1; i <= n; i++) { member(name[i], f) }
     }
     for (s in source) { look(s) }
-    for (f in away) { if (!(f in given)) { faults[away[f] ": " f " is given away, and says not what it is called as"] } }
+    for (f in away) { if (!(f in given)) { faults[away[f] ": " f " is given away: say behind its parameters what it is called as, /* called as NAME */, by the name of the pointer"] } }
     for (i = 1; i <= indirect; i++) { point(pointers[i], places[i]) }
     for (f in faults) { print f }
     for (f in frame) {

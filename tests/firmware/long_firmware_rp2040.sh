@@ -88,8 +88,8 @@ image_that() {
 #include "image.h"
 #include "port.h"
 static struct runner runner;
-static void overrun(void *nothing) { (void)nothing; for (;;) { __asm volatile("push {r0-r7}"); } }
-static void busy(void *us) { const struct hal hal = port_hal(); const uint32_t from = hal.ops->time_us(hal.context); while (hal.ops->time_us(hal.context) - from < (uint32_t)us) { } }
+static void overrun(void *nothing) /* called as run */ { (void)nothing; for (;;) { __asm volatile("push {r0-r7}"); } }
+static void busy(void *us) /* called as run */ { const struct hal hal = port_hal(); const uint32_t from = hal.ops->time_us(hal.context); while (hal.ops->time_us(hal.context) - from < (uint32_t)us) { } }
 int main(void)
 {
     const struct hal hal = port_hal();
