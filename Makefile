@@ -82,7 +82,7 @@ MAINS := $(wildcard host-sim/*/pinhole_*.c)
 ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
 HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/formats model/gltf model/$(ASSIMP) picture/$(PNG) picture/$(JPEG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
 # emulate/ has a room a chip. Those of the RP2040 and RP2350 are programs; what chips take as accesses to their registers is for tests, too.
-REGISTERS := host-sim/emulate/registers/registers.c
+REGISTERS := $(wildcard host-sim/emulate/registers/registers.c)
 HOST := $(filter-out $(MAINS),$(HOST)) $(REGISTERS) $(wildcard host-sim/emulate/*/registers_table.c host-sim/emulate/*/emulate_*.c)
 PROGRAMS := $(patsubst %.c,$(B)/%,$(subst _,-,$(notdir $(if $(SPIDEV),$(MAINS),$(filter-out %/pinhole_panel.c,$(MAINS))))))
 
@@ -140,7 +140,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 # the rest says so itself, in a line that begins with `/* Kits: -Os` or, for one CPU, `/* Kits on armv6m: -O2`.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
 ifneq ($(KIT),)
-KIT_LEVELS := $(shell grep -rE --include='*.c' '^/\* Kits( on $(CPU))?: -O[0-9s]' firmware/core hal | sed 's|:/[*] Kits[^:]*: *\(-O.\).*|=\1|')
+KIT_LEVELS := $(shell grep -rE --include='*.c' '^/\* Kits( on $(CPU))?: -O[0-9s]' firmware/core hal 2>/dev/null | sed 's|:/[*] Kits[^:]*: *\(-O.\).*|=\1|')
 kit_level = $(patsubst $<=%,%,$(filter $<=%,$(KIT_LEVELS)))
 $(B)/firmware/core/%.o: override CFLAGS += $(or $(kit_level),$(if $(filter armv6m,$(CPU)),-Os,-O3))
 $(B)/hal/%.o: override CFLAGS += $(kit_level)
