@@ -1,3 +1,5 @@
+/* See animation.h. A frame's time picks the keys of the clip; each mesh is then morphed and skinned into its own
+ * copy. */
 #include "animation.h"
 
 #include <string.h>

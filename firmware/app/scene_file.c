@@ -1,3 +1,4 @@
+/* See scene_file.h. A scene is checked once, before anything of it is used; drawing it trusts every offset. */
 #include "scene_file.h"
 
 #include "crc32.h"

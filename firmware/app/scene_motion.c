@@ -1,3 +1,4 @@
+/* See scene_motion.h. Clips, skins and morph targets of a scene are checked here, and then used where they lie. */
 #include "scene_motion.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* See asset_fit.h. The count of triangles is found by trying: an estimate first, then the middle of what is left. */
 #include "asset_fit.h"
 
 #include "complain.h"

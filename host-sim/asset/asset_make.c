@@ -1,3 +1,4 @@
+/* asset: makes a model into the meshes, materials and textures that pinhole-asset writes (asset.h). */
 #include "asset_mesh.h"
 #include "complain.h"
 #include "model_texture.h"

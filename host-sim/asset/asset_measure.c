@@ -1,3 +1,4 @@
+/* asset: measures how much memory a model takes to draw, by drawing it from all sides (asset.h). */
 #include "asset.h"
 #include "complain.h"
 #include "runner.h"

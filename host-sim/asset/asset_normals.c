@@ -1,3 +1,5 @@
+/* See asset_mesh.h. New normals for a simplified mesh: faces that meet at a small angle share one, others keep a
+ * crease. */
 #include "asset_mesh.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* See asset_options.h. One table has every option, its reader and its help. */
 #include "asset_options.h"
 
 #include "complain.h"

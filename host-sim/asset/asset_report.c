@@ -1,3 +1,4 @@
+/* asset: says what a model takes of flash, and which boards have the memory to draw it (asset.h). */
 #include "asset.h"
 #include "complain.h"
 #include "model_texture.h"

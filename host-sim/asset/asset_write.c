@@ -1,3 +1,4 @@
+/* See asset_write.h. The C file of a model: const arrays, materials, and a demo that shows it. */
 #include "asset_write.h"
 #include "model_texture.h"
 

@@ -1,3 +1,4 @@
+/* See complain.h. A message clears the progress bar first, and then stands on a line of its own. */
 #define _XOPEN_SOURCE 700 /* SIGXFSZ */
 
 #include "complain.h"

@@ -1,3 +1,4 @@
+/* See file_save.h. Signals wait while the temporary file is renamed or removed, so that none is left behind. */
 #define _XOPEN_SOURCE 700 /* getpid, sigprocmask, SIGXCPU */
 
 #include "file_save.h"

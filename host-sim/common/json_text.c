@@ -1,3 +1,4 @@
+/* See json_text.h. */
 #include "json_text.h"
 
 void json_text(FILE *file, const char *text)

@@ -1,3 +1,4 @@
+/* See key_script.h. The lines become a list of presses, which is searched for each frame. */
 #define _POSIX_C_SOURCE 200809L /* strtok_r */
 
 #include "key_script.h"

@@ -1,3 +1,4 @@
+/* See nearest.h. The distance of two names is the count of letters to change, insert or remove (Levenshtein). */
 #include "nearest.h"
 
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* See nearest.h. Suggests a demo or a board; apart from nearest.c, because few programs know these lists. */
 #include "board.h"
 #include "demo.h"
 #include "nearest.h"

@@ -1,3 +1,4 @@
+/* See option_camera.h. The keys in the value say which textbook's camera is meant; a mixture of two is refused. */
 #include "option_camera.h"
 
 #include "camera.h"

@@ -1,3 +1,4 @@
+/* See option_table.h. A name that is not in the table is refused with the nearest one that is. */
 #include "option_table.h"
 
 #include "complain.h"

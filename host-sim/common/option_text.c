@@ -1,3 +1,4 @@
+/* See option_text.h. */
 #include "option_text.h"
 
 #include "render.h"

@@ -1,3 +1,4 @@
+/* See progress.h. The main program prepares a line, and a timer's signal handler writes it. */
 #define _XOPEN_SOURCE 700 /* isatty, setitimer, sigaction */
 
 #include "progress.h"

@@ -1,3 +1,4 @@
+/* See signal_stop.h. */
 #define _XOPEN_SOURCE 700 /* sigaction */
 
 #include "signal_stop.h"

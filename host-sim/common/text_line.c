@@ -1,3 +1,4 @@
+/* See text_line.h. */
 #define _POSIX_C_SOURCE 200809L /* getc_unlocked, ssize_t */
 
 #include "text_line.h"

@@ -1,3 +1,4 @@
+/* See sim_model.h. What all models of controllers share: complaints, and the count of complete frames. */
 #include "sim_model.h"
 
 #include <stdarg.h>

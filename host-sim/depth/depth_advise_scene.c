@@ -1,3 +1,5 @@
+/* See depth_advise_scene.h. For each format and near plane the pixels are counted that show another surface than
+ * the nearest one. */
 #include "depth_advise_scene.h"
 
 #include "complain.h"

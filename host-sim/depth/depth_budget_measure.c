@@ -1,3 +1,5 @@
+/* See depth_budget_measure.h. One section measures one part of the pipeline; random inputs are the same on every
+ * run. */
 #include "depth_budget_measure.h"
 
 #include "band.h"

@@ -1,3 +1,4 @@
+/* See depth_budget_terms.h. The depth formats in double precision, and the bounds that follow from their formulas. */
 #include "depth_budget_terms.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* See depth_gnuplot.h. */
 #define _XOPEN_SOURCE 700
 
 #include "depth_gnuplot.h"

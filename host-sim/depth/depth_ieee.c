@@ -1,3 +1,4 @@
+/* See depth_ieee.h. */
 #include "depth_ieee.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* See depth_lab.h. */
 #define _XOPEN_SOURCE 700 /* open_memstream */
 
 #include "depth_lab.h"

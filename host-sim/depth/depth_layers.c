@@ -1,3 +1,4 @@
+/* See depth_layers.h. ph_draw_mesh is replaced at link time by a recorder; each triangle is then drawn alone. */
 #include "depth_layers.h"
 
 #include "complain.h"

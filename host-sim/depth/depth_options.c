@@ -1,3 +1,4 @@
+/* See depth_options.h. One table has every option, its reader and its help. */
 #include "depth_options.h"
 
 #include "complain.h"

@@ -1,3 +1,4 @@
+/* depth_pairs: `pinhole-depth pairs` and `resolve`, which measure the renderer's formats with lab.h. */
 #include "complain.h"
 #include "depth_ieee.h"
 #include "lab_num.h"

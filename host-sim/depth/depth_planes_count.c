@@ -1,3 +1,5 @@
+/* See depth_planes_count.h. Two planes are drawn at many places; a pixel that shows the far one there is counted as
+ * wrong. */
 #include "depth_planes_count.h"
 
 #include "depth_budget_terms.h"

@@ -1,3 +1,4 @@
+/* See depth_planes_scene.h. */
 #include "depth_planes_scene.h"
 
 #include "complain.h"

@@ -1,3 +1,4 @@
+/* See depth_plot.h. Writes a gnuplot script, and runs gnuplot on it where a picture is wanted. */
 #define _XOPEN_SOURCE 700 /* open_memstream */
 
 #include "depth_plot.h"

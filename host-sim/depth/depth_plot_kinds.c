@@ -1,3 +1,4 @@
+/* See depth_plot_kinds.h. One function a plot writes its data and the gnuplot commands that draw it. */
 #define _XOPEN_SOURCE 700 /* strtok_r */
 
 #include "depth_plot_kinds.h"

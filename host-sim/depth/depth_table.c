@@ -1,3 +1,4 @@
+/* See depth_table.h. Reads the CSV twice: once for the widths of the columns, once to print it. */
 #include "depth_table.h"
 
 #include "json_text.h"

@@ -1,3 +1,5 @@
+/* See flash_program.h. Addresses in the binary come from a stranger's image, so each is checked before it is
+ * followed. */
 #include "flash_program.h"
 
 #include "flash_image.h"

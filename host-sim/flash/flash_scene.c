@@ -1,3 +1,4 @@
+/* See flash_scene.h. */
 #include "flash_scene.h"
 
 #include "scene_file.h"

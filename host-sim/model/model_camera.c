@@ -1,3 +1,4 @@
+/* See model_camera.h. */
 #include "model_camera.h"
 
 #include "model_places.h"

@@ -1,3 +1,4 @@
+/* model: a model as a demo (demo.h), on the turntable, or as its own camera or a binary scene shows it. */
 #include "model.h"
 #include "scene_file.h"
 

@@ -1,3 +1,4 @@
+/* See model_folder.h. */
 #define _DEFAULT_SOURCE /* realpath, S_ISREG */
 
 #include "model_folder.h"

@@ -1,3 +1,4 @@
+/* See model_meshes.h. A mesh that a node shows becomes pieces of at most 65,535 vertices, in Q16.16. */
 #include "model_meshes.h"
 
 #include "model_camera.h"

@@ -1,3 +1,4 @@
+/* model: chooses the clip that --clip names, and finds what moves a mesh (model.h). */
 #include "complain.h"
 #include "model.h"
 #include "nearest.h"

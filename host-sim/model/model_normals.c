@@ -1,3 +1,4 @@
+/* See model_normals.h. A normal is the mean of the faces around a point, unless they meet at a crease. */
 #include "model_normals.h"
 
 #include <math.h>

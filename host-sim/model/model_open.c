@@ -1,3 +1,5 @@
+/* model: opens a model file (model.h). A child process with limits of time and memory reads it, for a file may be
+ * hostile. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS, fork, setrlimit */
 
 #include "model_read.h"

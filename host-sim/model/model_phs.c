@@ -1,3 +1,4 @@
+/* See model_phs.h. */
 #include "model_phs.h"
 
 #include "complain.h"

@@ -1,3 +1,4 @@
+/* See model_places.h. Goes through the tree of nodes and multiplies their matrices. */
 #include "model_places.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* See model_polygon.h. A convex polygon becomes a fan; from any other one ears are cut, one corner after the other. */
 #include "model_polygon.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* See model_read.h. Chooses the reader by the file's name, counts triangles, and makes the model of the scene. */
 #include "model_read.h"
 
 #include "model_assimp.h"

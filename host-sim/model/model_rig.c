@@ -1,3 +1,5 @@
+/* See model_rig.h. The bind pose, joints and morph targets of each mesh, in fixed point and in the units of the
+ * fitted model. */
 #include "model_rig.h"
 
 #include "model_rig_clips.h"

@@ -1,3 +1,4 @@
+/* See model_scene.h. */
 #include "model_scene.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* See model_shared.h. */
 #define _DEFAULT_SOURCE /* strcasecmp */
 
 #include "model_shared.h"

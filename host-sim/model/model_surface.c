@@ -1,3 +1,4 @@
+/* See model_surface.h. Chooses shading, textures, ramp and blend for a material of a file. */
 #include "model_surface.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* See model_text.h. */
 #define _DEFAULT_SOURCE /* strncasecmp */
 
 #include "model_text.h"

@@ -1,3 +1,4 @@
+/* See model_texture.h. A picture is scaled to powers of two by the mean of the pixels that a texel covers. */
 #include "model_texture.h"
 
 #include "model.h"

@@ -1,3 +1,4 @@
+/* See model_weld.h. */
 #include "model_weld.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* See panel_doctor.h. Looks at devices, groups, lines and libraries one by one, without changing any. */
 #define _XOPEN_SOURCE 700 /* getgroups, glob */
 
 #include "panel_doctor.h"

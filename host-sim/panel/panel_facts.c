@@ -1,3 +1,4 @@
+/* See panel_facts.h. */
 #include "panel_facts.h"
 
 #include "complain.h"

@@ -1,3 +1,5 @@
+/* See panel_kit.h. A board of the list is copied and changed by the options: another panel, other lines, another
+ * clock. */
 #include "panel_kit.h"
 
 #include "complain.h"

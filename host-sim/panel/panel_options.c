@@ -1,3 +1,4 @@
+/* See panel_options.h. One table has every option, its reader and its help; --board begins a further display. */
 #include "panel_options.h"
 
 #include "complain.h"

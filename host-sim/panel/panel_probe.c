@@ -1,3 +1,4 @@
+/* See panel_probe.h. */
 #include "panel_probe.h"
 
 /* RDDID and RDID4 from the datasheets; of the ID bytes those that makers of glasses do not change. */

@@ -1,3 +1,4 @@
+/* See panel_show.h. Opens all displays, draws and sends frame after frame, and closes all, also after an error. */
 #define _POSIX_C_SOURCE 200809L /* clock_nanosleep */
 
 #include "panel_show.h"

@@ -1,3 +1,4 @@
+/* See frame_check.h. */
 #define _POSIX_C_SOURCE 200809L /* stat */
 
 #include "frame_check.h"

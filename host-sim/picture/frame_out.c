@@ -1,3 +1,4 @@
+/* See frame_out.h. The name says which format is meant; what was made for an output that failed is removed. */
 #define _POSIX_C_SOURCE 200809L /* mkdir */
 
 #include "frame_out.h"

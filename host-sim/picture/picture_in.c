@@ -1,3 +1,4 @@
+/* See picture_in.h. A pixel of the small picture is the mean of those that it covers. */
 #include "picture_in.h"
 
 #include <stdio.h>

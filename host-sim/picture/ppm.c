@@ -1,3 +1,4 @@
+/* See ppm.h. */
 #include "ppm.h"
 
 #include "file_save.h"

@@ -1,3 +1,4 @@
+/* See sim_matrix.h. */
 #include "sim_matrix.h"
 
 #include "option_text.h"

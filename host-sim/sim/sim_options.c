@@ -1,3 +1,4 @@
+/* See sim_options.h. One table has every option, its reader and its help. */
 #include "sim_options.h"
 
 #include "complain.h"

@@ -1,3 +1,4 @@
+/* See sim_player.h. */
 #include "sim_player.h"
 
 #include "complain.h"

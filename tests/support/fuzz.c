@@ -1,3 +1,4 @@
+/* See fuzz.h. */
 #define _GNU_SOURCE /* memfd_create */
 
 #include "fuzz.h"

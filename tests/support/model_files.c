@@ -1,3 +1,4 @@
+/* See model_files.h. */
 #define _XOPEN_SOURCE 700 /* mkdtemp, nftw */
 
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* See scene_read.h. */
 #include "scene_read.h"
 
 #include <stdio.h>

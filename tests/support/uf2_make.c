@@ -1,3 +1,4 @@
+/* See uf2_make.h. The CRC of a boot page is computed here as the chip's ROM does it. */
 #include "uf2_make.h"
 
 #include "crc32.h"

@@ -1,3 +1,4 @@
+/* turntable: the teapot, or a model of the user, turns on a platter under two lamps. */
 #include "demo_scene.h"
 #include "models.h"
 

@@ -1,3 +1,4 @@
+/* See models.h. What all shapes share: memory, triangles and quads, number formats, the material. */
 #include "models_build.h"
 
 int model_begin(struct demo_arena *arena, struct ph_mesh *mesh, struct model_build *build, uint32_t vertices,

@@ -1,3 +1,4 @@
+/* See models.h. The edges of a mesh as lines, each once; the diagonals of quads can be left out. */
 #include "models_build.h"
 
 /* All edges by their lower vertex: upper[first[v]] .. upper[first[v + 1] - 1] are the upper ends of v's edges. */

@@ -1,3 +1,4 @@
+/* See models.h. A sphere made of an icosahedron whose triangles are divided into four, again and again. */
 #include "models_build.h"
 
 #define NONE 0xFFFF

@@ -1,3 +1,5 @@
+/* See asset_mesh.h. meshoptimizer joins equal vertices and sorts triangles so that a vertex's corners come close
+ * together. */
 #include "asset_mesh.h"
 
 #include <meshoptimizer.h>

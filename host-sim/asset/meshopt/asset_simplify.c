@@ -1,3 +1,5 @@
+/* See asset_mesh.h. meshoptimizer removes triangles: all meshes together first, so that no gap opens between two of
+ * them. */
 #include "asset_mesh.h"
 #include "complain.h"
 

@@ -1,3 +1,4 @@
+/* See asset_mesh.h. Stands in where meshoptimizer is not installed: copies a mesh as it is, and refuses to simplify. */
 #include "asset_mesh.h"
 
 bool asset_order(struct demo_arena *arena, const struct asset_shape *shape, struct ph_mesh *to)

@@ -1,3 +1,5 @@
+/* See model_assimp.h. What assimp has read is checked, since its readers check little, and then copied into our
+ * scene. */
 #include "model_assimp.h"
 
 #include "model_file_io.h"

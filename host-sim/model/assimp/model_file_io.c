@@ -1,3 +1,4 @@
+/* See model_file_io.h. */
 #include "model_file_io.h"
 
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* See model_materials.h. Converts assimp's materials: colour, texture, opacity. */
 #include "model_materials.h"
 
 #include "model_surface.h"

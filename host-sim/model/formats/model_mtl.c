@@ -1,3 +1,4 @@
+/* See model_mtl.h. Reads line by line; what a line does not name keeps its default. */
 #include "model_mtl.h"
 
 #include <stdio.h>

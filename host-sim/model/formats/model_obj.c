@@ -1,3 +1,4 @@
+/* See model_obj.h. The lists of the file are read first; then the polygons of each material become a mesh. */
 #include "model_obj.h"
 
 #include "model_mtl.h"

@@ -1,3 +1,5 @@
+/* See model_ply.h. The header becomes a list of elements and properties, by which text and binary data are read
+ * alike. */
 #include "model_ply.h"
 
 #include "model_bytes.h"

@@ -1,3 +1,4 @@
+/* See model_stl.h. Text and binary files become the same list of corners, three a triangle. */
 #include "model_stl.h"
 
 #include "model_bytes.h"

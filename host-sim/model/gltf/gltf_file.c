@@ -1,3 +1,4 @@
+/* See gltf_file.h. Reads JSON, buffers and accessors, from files, chunks of a GLB and data: URIs. */
 #include "gltf_file.h"
 
 #include "model.h"

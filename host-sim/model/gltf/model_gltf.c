@@ -1,3 +1,4 @@
+/* See model_gltf.h. Converts meshes, nodes, skins, cameras and animations of a glTF file to our scene. */
 #include "model_gltf.h"
 
 #include "model_gltf_motion.h"

@@ -1,3 +1,5 @@
+/* See model_gltf.h. Converts materials; linear colours become those of the display (sRGB), since the renderer has
+ * no other. */
 #include "model_gltf.h"
 
 #include "model_surface.h"

@@ -1,3 +1,4 @@
+/* See model_assimp.h. Stands in where assimp is not installed: refuses the file, and says which formats are read. */
 #include "model_assimp.h"
 
 bool model_assimp_read(struct model_shared *shared, struct model_scene *scene)

@@ -1,3 +1,4 @@
+/* See gif_out.h. Frames wait in a temporary file, because the palette is known only after the last one. */
 #define _XOPEN_SOURCE 700 /* mkstemp, fseeko */
 
 #include "gif_out.h"

@@ -1,3 +1,4 @@
+/* See picture_in.h. JPEG by libjpeg, row by row. */
 #include "picture_in.h"
 
 #include <setjmp.h>

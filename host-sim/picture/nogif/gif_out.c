@@ -1,3 +1,4 @@
+/* See gif_out.h. Stands in where giflib is not installed: refuses, and says what to install. */
 #include "gif_out.h"
 
 #include "hal.h"

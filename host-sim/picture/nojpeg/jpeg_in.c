@@ -1,3 +1,4 @@
+/* See picture_in.h. Stands in where libjpeg is not installed: refuses, and says what to install. */
 #include "picture_in.h"
 
 const char jpeg_in_reason[] =

@@ -1,3 +1,4 @@
+/* See picture_in.h. Stands in where libpng is not installed: refuses, and says what to install. */
 #include "picture_in.h"
 
 const char png_in_reason[] = "is a PNG, and this was built without libpng; install libpng-dev (Debian) and make again";

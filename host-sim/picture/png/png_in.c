@@ -1,3 +1,4 @@
+/* See picture_in.h. PNG by libpng, row by row. */
 #include "picture_in.h"
 
 #include <png.h>

@@ -1,3 +1,4 @@
+/* See png_out.h. PNG by libpng, in memory. */
 #include "png_out.h"
 
 #include <png.h>

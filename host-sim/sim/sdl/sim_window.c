@@ -1,3 +1,4 @@
+/* See sim_window.h. The picture is enlarged by whole numbers, so that each pixel of the panel stays a square. */
 #include "sim_window.h"
 
 #include "complain.h"
