@@ -39,7 +39,7 @@ extern "C" {
 
 struct ph_focus {
     fx_t distance;  /* focal distance along the view, > 0 */
-    fx_t strength;  /* px, 0 .. 64, see above */
+    fx_t strength;  /* px, 0 .. 64: see the head of this file */
     uint8_t radius; /* largest radius, px, 1 .. PH_BLUR_RADIUS_MAX; it decides time and memory */
 };
 

@@ -101,9 +101,9 @@ void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, f
  * Error < 0.52 LSB. 0 if h is not more than 0. */
 fx_t ph_fov_of(fx_t height, fx_t distance);
 
-/* The other way round: the distance at which a height h fills the picture at that field of view, h / 2 cot(fov / 2),
- * within 0.5 LSB and h 2^-22; it saturates. 0: an angle that ph_projection_perspective() refuses. LMU Munich, tutorial
- * 4, task 4: dollyZoomDist, where h is 2. */
+/* The distance at which a height h fills the picture at a vertical field of view in degrees, h / 2 cot(fov / 2), within
+ * 0.5 LSB and h 2^-22; it saturates. 0: an angle that ph_projection_perspective() refuses. LMU Munich, tutorial 4, task
+ * 4: dollyZoomDist, where h is 2. */
 fx_t ph_distance_of(fx_t height, fx_t fov_deg);
 
 /*

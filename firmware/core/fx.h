@@ -119,7 +119,7 @@ static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b);
 static inline int64_t fx_mul_wide(int32_t a, int32_t b);
 static inline uint64_t fx_mul_wide_u(uint32_t a, uint32_t b);
 
-int64_t fx_mul_far(int32_t a, int32_t b); /* only for a CPU's fx_mul_wide: the same, as a function */
+int64_t fx_mul_far(int32_t a, int32_t b); /* fx_mul_wide as a function, for a CPU's fx_mul_wide only */
 
 /* The short reciprocal, 16 bits: floor((2^31 - 1) / d) for d = 2^15 .. 2^16 - 1. */
 static inline uint32_t fx_rcp16(uint32_t d);

@@ -140,7 +140,7 @@ struct ph_bound {
 void ph_skin_vertices(const struct ph_bound *from, const struct ph_xform *matrices, struct fx_vec3 *positions,
                       int16_t (*normals)[3]);
 
-/* The same by both cores of a renderer, if it has two; r may be NULL. */
+/* ph_skin_vertices by both cores of a renderer, if it has two; r may be NULL. */
 struct ph_renderer;
 void ph_skin_mesh(const struct ph_renderer *r, const struct ph_bound *from, const struct ph_xform *matrices,
                   struct fx_vec3 *positions, int16_t (*normals)[3]);

@@ -51,7 +51,7 @@ int32_t ph_overlay_width(const char *text, uint8_t scale);
 uint32_t ph_overlay_stats(char text[PH_OVERLAY_STATS_SIZE], uint32_t frame_us, uint32_t triangles);
 
 /*
- * The same in a proportional font: letters are as wide as they are drawn, capital and small, with one pixel between
+ * Draws a text in a proportional font: letters are as wide as they are drawn, capital and small, with one pixel between
  * them, and digits are all as wide. It has all of ASCII; small letters reach one pixel below the line. With an outline
  * of the letters' own colour there is none. ph_text_width: from the first pixel to the last.
  */

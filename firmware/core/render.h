@@ -56,7 +56,7 @@ enum ph_wrap { PH_WRAP_REPEAT, PH_WRAP_CLAMP };
 enum ph_filter {
     PH_FILTER_NEAREST,  /* the texel in which the pixel's centre lies */
     PH_FILTER_BILINEAR, /* between the four texels around it */
-    PH_FILTER_MIPMAP,   /* the same in the level whose texels are nearest to pixels in size: one level for a small
+    PH_FILTER_MIPMAP,   /* bilinear in the level whose texels are nearest to pixels in size: one level for a small
                            triangle, and one for each tile of up to 64 x 16 pixels of a larger one */
 };
 
@@ -188,7 +188,7 @@ struct ph_scene_light {
 enum ph_depth_format {
     PH_DEPTH_AUTO,     /* the format that ph_depth_choose() takes for the frame's camera */
     PH_DEPTH_FIXED16,  /* N/w - N/f, 16 bits */
-    PH_DEPTH_FLOAT16,  /* the same as an unsigned floating-point number: 3 .. 6 bits of exponent, the rest mantissa */
+    PH_DEPTH_FLOAT16,  /* N/w - N/f as an unsigned floating-point number: 3 .. 6 bits of exponent, the rest mantissa */
     PH_DEPTH_FIXED24,  /* as FIXED16, 24 bits */
     PH_DEPTH_FLOAT24,  /* as FLOAT16, 24 bits */
     PH_DEPTH_LINEAR_W, /* the distance itself, 16 bits; slow: a reciprocal per pixel */
@@ -246,7 +246,7 @@ struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 
 /* Sizes for budgets: ph_vertex_bytes for each vertex, ph_triangle_bytes for each triangle. */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;
-/* The same sizes where pointers have 32 bits, for budgets that are the same on every machine. */
+/* ph_vertex_bytes and ph_triangle_bytes where pointers have 32 bits, for budgets that are equal on every machine. */
 #define PH_VERTEX_BYTES_32   16
 #define PH_TRIANGLE_BYTES_32 24
 /* What these bytes become: of each triangle that can be seen a reference, of the rest vertices of further meshes and

@@ -77,7 +77,7 @@ static void put(const struct kms *k, const struct panel_driver *d, uint32_t x, u
     }
 }
 
-/* Draws what of a line differs from the last picture; returns false if nothing does. */
+/* Draws the part of a line that differs from the last picture; returns false if nothing does. */
 static bool draw_line(const struct kms *k, const struct panel_driver *d, uint32_t y, const uint16_t *pixels,
                       uint32_t *from, uint32_t *to)
 {

@@ -204,7 +204,7 @@ void ph_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const cha
         return;
     }
     const struct ink ink = {style->colour, style->outline, style->outline != style->colour};
-    for (int32_t more = ink.outlined && scale > 1; more >= 0; more--) { /* all outlines come first, as above */
+    for (int32_t more = ink.outlined && scale > 1; more >= 0; more--) { /* all outlines first, then all letters */
         int32_t at = x;
         for (int i = 0; i < LETTER_MAX && text[i] != '\0'; i++) {
             const struct letter l = letter_of(text[i]);

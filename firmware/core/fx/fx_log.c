@@ -16,7 +16,7 @@ const uint64_t fx_log_first[16] = {
     0xca6143a49626d820, 0xd47fcb8c0852f0c1, 0xdee74ee64b0c38d4, 0xe99c090536ece983,
 };
 
-/* Entry i serves for 1 + i/256 and above: the smallest 10-bit factor, as above, is 1 - entry / 1024. */
+/* Entry i serves for 1 + i/256 and above: the smallest 10-bit factor that leaves at least 1 is 1 - entry / 1024. */
 const uint8_t fx_log_factor_second[19] = {0, 3, 7, 11, 15, 19, 23, 27, 31, 34, 38, 42, 45, 49, 53, 56, 60, 63, 67};
 
 /* Entry i is -log2(1 - fx_log_factor_second[i] / 1024) in 2^-64. */

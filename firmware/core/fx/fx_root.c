@@ -57,8 +57,9 @@ PH_TIER(mesh) uint32_t fx_rsqrt_norm(uint32_t m)
 }
 
 /*
- * Both roots compare exactly with r + 1/2, where r is an estimate of the root. It is enough that the estimate before
- * rounding down is less than 1/2 off: if r is one too small, r + 1 is the nearest, and if one too large, r is.
+ * fx_sqrt and fx_rsqrt_sat compare exactly with r + 1/2, where r is an estimate of the root. It is enough that the
+ * estimate before rounding down is less than 1/2 off: if r is one too small, r + 1 is the nearest, and if one too
+ * large, r is.
  */
 fx_t fx_sqrt(fx_t a)
 {

@@ -33,7 +33,8 @@ static inline bool geom_row_is_near(const int32_t row[3], int32_t x, int32_t y, 
     return ((large >> 20) | ((steep | ((uint32_t)c + FX_Q30_ONE)) >> 31)) == 0;
 }
 
-/* That sum, rounded once (a tie upwards), in products of 32 bits: an element is low + 2^10 middle + 2^20 high. */
+/* Row times (x, y, z), plus c, rounded once (a tie upwards), where geom_row_is_near says yes. Products have 32 bits: an
+ * element is low + 2^10 middle + 2^20 high. */
 static inline int32_t geom_near_row(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
     const int32_t a = row[0], b = row[1], d = row[2];

@@ -22,7 +22,7 @@ struct ph_cull_run {
     uint32_t mark;                         /* PH_LIT, or 0: nothing is marked */
 };
 
-/* The code of a vertex that the other core may mark. */
+/* The clip code of a vertex, which the other core may mark at this moment. */
 static inline unsigned ph_code_of(const struct ph_vertex *v)
 {
     return __atomic_load_n(&v->code, __ATOMIC_RELAXED);
@@ -43,10 +43,11 @@ static inline void ph_mark(struct ph_vertex *v)
     }
 }
 
-/* False if no triangle is left; else the caller must look at index[-1]. */
+/* Lists triangles as struct ph_cull_run describes. False if no triangle is left; else the caller must look at
+ * index[-1]. */
 bool ph_cull(struct ph_cull_run *run);
 
-/* The same into a list that others may have added to meanwhile; adds to *seen how many it has listed. */
+/* ph_cull into a list that others may have added to meanwhile; adds to *seen how many it has listed. */
 static inline bool ph_cull_into(struct ph_list *list, struct ph_cull_run *run, uint32_t *seen)
 {
     run->to = list->to;

@@ -32,11 +32,12 @@ void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, 
                      uint32_t glight, const uint16_t *ramp);
 
 /* span_blend.c: n >= 1 pixels of one colour are blended, and depth stays. Each channel becomes (itself * rest + source)
- * / 32, rounded down; source is spread as in blend.h, and rest is 0 .. 32. d, gd: as above. */
+ * / 32, rounded down; source is spread as in blend.h, and rest is 0 .. 32. d is the depth at the first pixel, a 16.16
+ * code, and gd its step per pixel. */
 void ph_span_blend(uint16_t *pixels, const uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint32_t source,
                    uint32_t rest);
 
-/* What the pixels of a line take. */
+/* What ph_line_pixels takes of a line. */
 struct ph_line_run {
     int32_t slope;   /* 16.16: change of `across` a pixel */
     uint32_t gd;     /* change of d */
@@ -97,18 +98,18 @@ enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph
 uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes);
 
-/* wide_gouraud.c: the same for at most PH_WIDE_ROWS rows of any triangle, or for one whose sides are below
- * PH_SIDE_SHORT. Its rows are cut to the picture; they may be longer than PH_SMALL_COLUMNS. */
+/* wide_gouraud.c: draws at most PH_WIDE_ROWS rows of any triangle, or all of one whose sides are below PH_SIDE_SHORT,
+ * as ph_small_gouraud does. Its rows are cut to the picture; they may be longer than PH_SMALL_COLUMNS. */
 #define PH_WIDE_ROWS 16
 uint32_t ph_wide_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
                          uint32_t stride_bytes);
 
-/* fine_gouraud.c: the same for PH_KIND_SMALL_FINE, whose light is as light_pixels of setup.c leaves it. Rows of depth
- * and of pixels begin at whole words. */
+/* fine_gouraud.c: draws a triangle of PH_KIND_SMALL_FINE, whose light is as light_pixels of setup.c leaves it. Rows of
+ * depth and of pixels begin at whole words. depth, pixels: of column 0 of its first row. Returns its samples. */
 uint32_t ph_fine_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
                          uint32_t stride_bytes);
 
-/* small_knee.c: the same for PH_KIND_SMALL_KNEE. */
+/* small_knee.c: draws a triangle of PH_KIND_SMALL_KNEE as ph_small_gouraud does one without a knee. */
 uint32_t ph_small_knee(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);
 
 #endif

@@ -29,13 +29,13 @@ static inline uint16_t ph_mix_folded(uint32_t fields)
     return (uint16_t)ph_mix_little(fields << 3 | fields >> 13);
 }
 
-/* Times light / 32. */
+/* Multiplies the fields of a spread colour by light / 32. */
 static inline uint32_t ph_mix_lit(uint32_t fields, uint32_t light)
 {
     return fields * light >> 5 & PH_MIX_FIELDS;
 }
 
-/* What lies between four texels at fu, fv in 32nds. */
+/* The colour between four texels at fu, fv in 32nds of a texel. */
 static inline uint32_t ph_mix_four(const uint16_t texels[4], uint32_t fu, uint32_t fv)
 {
     const uint32_t a = ph_mix_spread(texels[0]), b = ph_mix_spread(texels[1]), c = ph_mix_spread(texels[2]);
@@ -60,8 +60,8 @@ static inline uint16_t ph_texel_nearest(const struct ph_texel_row *r, uint32_t u
     return r->texels[(v >> 16 & r->v_mask) + (u >> 22 & r->u_mask)];
 }
 
-/* From column `from` on, along n pixels of a row in which u or v is at + i step + i^2 bend. The step of a parabola over
- * two pixels grows by 8 bend from pair to pair, so the step of each pixel grows by 4. */
+/* u or v along n pixels of a row from column `from` on, which is at + i step + i^2 bend at column i. The step of a
+ * parabola over two pixels grows by 8 bend from pair to pair, so the step of each pixel grows by 4. */
 static inline struct ph_texel_walk ph_texel_walk_from(uint32_t at, uint32_t step, uint32_t bend, uint32_t from,
                                                       uint32_t n)
 {

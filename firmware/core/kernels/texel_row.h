@@ -44,16 +44,16 @@ struct ph_texel_row {
 
 enum { PH_TEXEL_ROW_LIT = 1, PH_TEXEL_ROW_SMOOTH = 2 };
 
-/* Nearest texels: as they are, and times light. */
+/* Draw a row of nearest texels: as they are, or (lit) times light. */
 void ph_texel_row_nearest(const struct ph_texel_row *r);
 void ph_texel_row_lit(const struct ph_texel_row *r);
 
-/* Bilinear texels: as they are, and times light. u and v are those of a texel's first corner, and both are in 2^-22 of
- * a texel. */
+/* Draw a row of bilinear texels: as they are, or (lit) times light. u and v are those of a texel's first corner, and
+ * both are in 2^-22 of a texel. */
 void ph_texel_row_smooth(const struct ph_texel_row *r);
 void ph_texel_row_smooth_lit(const struct ph_texel_row *r);
 
-/* One of these. kind: 0, PH_TEXEL_ROW_LIT, PH_TEXEL_ROW_SMOOTH, or both. */
+/* Draws a row by the kernel of its kind: 0, PH_TEXEL_ROW_LIT, PH_TEXEL_ROW_SMOOTH, or both flags. */
 static inline void ph_texel_row_draw(const struct ph_texel_row *r, uint32_t kind)
 {
     if (kind == (PH_TEXEL_ROW_SMOOTH | PH_TEXEL_ROW_LIT)) {

@@ -37,7 +37,7 @@ uint32_t ph_texture_small(struct ph_texel_run *r);
  * texels, light_step, and both bends. */
 uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row);
 
-/* The lower edge takes over; false if there are no lower rows. */
+/* Goes on from the upper rows to the lower ones, where the lower edge takes over; false if there are none. */
 static inline bool ph_texel_run_lower(struct ph_texel_run *r)
 {
     if (r->lower_is_right != 0) {
@@ -52,7 +52,7 @@ static inline bool ph_texel_run_lower(struct ph_texel_run *r)
     return r->row.rows > 0;
 }
 
-/* Coefficients of the next row. */
+/* Steps the coefficients of u or v to the next row. */
 static inline void ph_texel_line_down(struct ph_texel_line *l)
 {
     l->at += l->at_dy;

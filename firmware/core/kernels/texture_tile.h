@@ -38,7 +38,7 @@ struct ph_tile_rows {
  * stands at the next row, `rows` is the number of rows left, and `count` has grown by the pixels. */
 void ph_texture_tile(struct ph_tile_rows *r);
 
-/* Coefficients of the next row. */
+/* Steps the coefficients of u or v to the next row. */
 static inline void ph_texel_way_down(struct ph_texel_way *w)
 {
     w->at += w->at_dy;

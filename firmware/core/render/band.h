@@ -16,13 +16,13 @@ struct ph_band {
     struct ph_coarse *coarse; /* of these rows; NULL: none is kept */
 };
 
-/* A depth buffer from pixel n on. */
+/* The address of pixel n of a depth buffer, whose codes have 16 or 24 bits. */
 static inline void *ph_depth_from(void *depth, uint32_t n, bool depth24)
 {
     return depth24 ? (void *)((uint32_t *)depth + n) : (void *)((uint16_t *)depth + n);
 }
 
-/* Leaves the first rows of a band, and returns the others. */
+/* Cuts a band in two: it keeps its first rows, and the rows below them are returned. */
 static inline struct ph_band ph_cut_lower(struct ph_band *band, int32_t rows)
 {
     struct ph_band lower = *band;

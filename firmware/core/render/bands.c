@@ -17,7 +17,7 @@
 #include "setup.h"
 
 #define ASKS_REFS 16 /* after so many references one core asks whether the other is idle */
-#define HELPED    0  /* in place of a reference: the other core is idle */
+#define HELPED    0  /* draw_begun returns this instead of a reference when the other core has become idle */
 #define SPARES    8
 #define CHUNK     32 /* triangles that two cores set up at a time, most */
 
@@ -214,7 +214,7 @@ struct drawn {
     struct rest *rest;
 };
 
-/* Carries on those that go on below the band. */
+/* Carries the triangles that go on below the band to the next band. */
 PH_TIER(figure) static void keep_below(const struct drawn *d)
 {
     struct rest *const rest = d->rest;
@@ -258,7 +258,7 @@ struct fresh {
 #define COUNTING UINT32_MAX
 #define MAY_ASK  1000 /* times, for the list; then core 0 sets up all of it */
 
-/* The part of one core. */
+/* The part of a set-up by two cores that one of them does. */
 struct set_up_share {
     struct fresh *fresh;
     uint32_t core;
@@ -356,7 +356,8 @@ struct share {
     struct ph_band rows;
 };
 
-/* Nobody changes the list meanwhile. */
+/* Draws one core's rows, then sets up triangles that come next. The list must not change until both cores have
+ * returned. */
 PH_TIER(figure) static void draw_share(void *argument) /* called as run */
 {
     struct share *const s = argument;
@@ -489,7 +490,7 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
     struct ph_band rows = {NULL, r->config.depth, depth24, r->config.width, y0, y1, r->config.width, coarse};
     rows.pixels = r->fine != 0
                       ? r->config.samples
-                      : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
+                      : pixels; /* an assignment, not an initialiser: else clang-tidy asks for a const pointer */
     struct ph_reach in;         /* of a fine frame */
     if (r->fine != 0) {
         ph_fine_reach(r, band, &in);

@@ -12,13 +12,14 @@
 #define PH_SPREAD      0x07e0f81fu
 #define PH_SPREAD_HALF (16u << 21 | 16u << 11 | 16u) /* half of 32 in each channel: it rounds a product to nearest */
 
-/* From wire order, and back; fold takes a word without PH_SPREAD's gaps cleared, too. */
+/* Spreads a colour in wire order so that its channels have room between them. */
 static inline uint32_t ph_spread(uint16_t wire)
 {
     const uint32_t v = ph_wire16(wire);
     return (v | v << 16) & PH_SPREAD;
 }
 
+/* Makes a colour in wire order of a spread one. The bits between its channels need not be clear. */
 static inline uint16_t ph_fold(uint32_t spread)
 {
     return ph_wire16((uint16_t)(spread | spread >> 16));
@@ -30,13 +31,13 @@ static inline uint32_t ph_spread_mix(uint32_t from, uint32_t to, uint32_t share)
     return (from * (32 - share) + to * share + PH_SPREAD_HALF) >> 5 & PH_SPREAD;
 }
 
-/* The same for colours in wire order. */
+/* Mixes two colours in wire order as ph_spread_mix does spread ones. */
 static inline uint16_t ph_mix(uint16_t from, uint16_t to, uint32_t share)
 {
     return ph_fold(ph_spread_mix(ph_spread(from), ph_spread(to), share));
 }
 
-/* The mean of four, each channel rounded to nearest. */
+/* The mean of four colours in wire order, each channel rounded to nearest. */
 static inline uint16_t ph_mean(uint16_t a, uint16_t b, uint16_t c, uint16_t d)
 {
     const uint32_t sum = ph_spread(a) + ph_spread(b) + ph_spread(c) + ph_spread(d);
@@ -58,7 +59,7 @@ static inline uint32_t ph_channel_times(uint32_t a, uint32_t b, uint32_t bits)
     return (sum + (sum >> bits)) >> bits;
 }
 
-/* Each channel times that of another colour. */
+/* Multiplies two colours in wire order, channel by channel; full channels leave the other colour as it is. */
 static inline uint16_t ph_times(uint16_t wire, uint16_t colour)
 {
     const uint32_t a = ph_wire16(wire), b = ph_wire16(colour);

@@ -33,7 +33,7 @@ struct overlay {
     struct ph_fog_here fog;
 };
 
-/* What a reference may cover of the band. False: nothing. */
+/* Finds the part of the band that a reference may cover. False if there is none. */
 static bool box_of(const struct overlay *o, const struct ph_ref *ref, struct ph_box *box)
 {
     *box = ph_box_of(o->r, &o->setting.draw, ref);
@@ -65,7 +65,7 @@ static inline __attribute__((always_inline)) bool is_hidden(const struct rows *r
     return code == 0 || code < code_of(row->depth, i, depth24) + more;
 }
 
-/* The first pixel from i on, below n, that is not; n: there is none. */
+/* The first pixel from i on that is neither hidden nor empty; n if there is none below n. */
 static PH_NOINLINE uint32_t next_seen(const struct rows *row, uint32_t i, uint32_t n, uint32_t more, bool depth24)
 {
     while (!depth24 && i < n && is_hidden(row, i, more, false)) {
@@ -77,7 +77,7 @@ static PH_NOINLINE uint32_t next_seen(const struct rows *row, uint32_t i, uint32
     return i;
 }
 
-/* Lays n pixels of what is cut out over the band. */
+/* Lays n pixels of a cut-out triangle over the band. */
 static void lay_cut_out(const struct overlay *o, const struct rows *row, uint32_t n)
 {
     const bool depth24 = o->band->depth24;
@@ -98,7 +98,7 @@ static void lay_cut_out(const struct overlay *o, const struct rows *row, uint32_
     }
 }
 
-/* The same for what is blended. */
+/* Lays n pixels of a blended triangle over the band. */
 static void lay_blended(struct overlay *o, const struct rows *row, uint32_t n)
 {
     const bool depth24 = o->band->depth24, times = o->blend->kind == PH_BLEND_TIMES;
@@ -217,7 +217,7 @@ static void draw_one(struct overlay *o, const struct ph_ref *ref)
     draw_over(o, &t, o->has_keys && !o->same_keys ? &keys : NULL, &box);
 }
 
-/* Prepares a draw. */
+/* Prepares the overlay for the triangles of a draw. */
 static void begin(struct overlay *o, const struct ph_draw *draw)
 {
     const struct ph_material *const material = draw->material;
@@ -305,7 +305,7 @@ static bool has_one_lens(const struct ph_renderer *r)
     return one;
 }
 
-/* In how many of its first rows half of a band's work is, or about that; 0: it has one row. */
+/* How many of a band's first rows hold about half of its work; 0 if it has one row only. */
 static int32_t rows_of_half(const struct ph_renderer *r, const struct ph_band *band)
 {
     const uint16_t *const work = ph_list_work(r);

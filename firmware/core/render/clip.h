@@ -4,7 +4,7 @@
 
 #include "render.h"
 
-/* A corner in clip coordinates. Its place on the screen is x = centre + 2^focal_log2 x / w, and y likewise. */
+/* A corner in clip coordinates. Its place on the screen is centre + 2^focal_log2 (x, y) / w. */
 struct ph_clip_vertex {
     int32_t x, y, w, z; /* Q16.16. z is the distance along the view; w = z, or 1 if orthographic; fisheye: fisheye.h */
     int32_t light;      /* 0 .. 65535 */

@@ -31,12 +31,12 @@ struct ph_coarse {
     struct ph_occluder at[PH_OCCLUDERS];
 };
 
-/* Both take a triangle whose depth is a plane of codes, and a band that has coarse depth. */
-
-/* The pixels in the band of a triangle that is hidden there; 0 if it may be seen. */
+/* The pixels in the band of a triangle that occluders hide there; 0 if it may be seen. Its depth must be a plane of
+ * codes, and the band must have coarse depth. */
 uint32_t ph_coarse_hidden(const struct ph_triangle *t, const struct ph_band *band);
 
-/* Makes an occluder of a triangle that was drawn with at least PH_OCCLUDER_LEAST pixels. */
+/* Makes an occluder of a triangle that was drawn with at least PH_OCCLUDER_LEAST pixels. Its depth must be a plane of
+ * codes, and the band must have coarse depth. */
 void ph_coarse_add(const struct ph_triangle *t, const struct ph_band *band);
 
 #endif

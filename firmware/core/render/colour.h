@@ -4,7 +4,8 @@
 
 #include <stdint.h>
 
-/* From a number to wire order, and back: both are the same swap, or none. */
+/* Converts a colour between a number and wire order, in either direction: it swaps the bytes, or nothing on a CPU of
+ * big endian. */
 static inline uint16_t ph_wire16(uint16_t v)
 {
     const union {
@@ -16,7 +17,7 @@ static inline uint16_t ph_wire16(uint16_t v)
 
 struct ph_material;
 
-/* A sum over all that a material says: another one after almost any change (one of 2^32 is missed). */
+/* A checksum over all members of a material: almost every change alters it (one of 2^32 does not). */
 uint32_t ph_material_sum(const struct ph_material *material);
 
 #endif

@@ -7,8 +7,8 @@
 
 #define PH_SHARED_LEAST 32 /* of fewer vertices or triangles one core does all */
 
-/* Runs the same on both cores: with `mine` here, and with `others` on the other core; without one, or if it is busy,
- * here. Returns when both are done. Neither may change what the other reads. */
+/* Runs a function on both cores: with `mine` on this one and with `others` on the other one. If there is no other core,
+ * or it is busy, both run here. Returns when both are done. Neither may change what the other reads. */
 static inline void ph_run_both(const struct ph_renderer *r, void (*run)(void *argument), void *mine, void *others)
 {
     const bool both = r->config.other_core != NULL && r->config.other_core(run, others);

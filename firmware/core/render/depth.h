@@ -73,7 +73,7 @@ static inline int ph_depth_head(const struct ph_lens *lens)
     return lens->float_down > 3 ? 12 - lens->float_down : 9;
 }
 
-/* Quotient of N/w for a view distance; see above. */
+/* The quotient N/w for a view distance, in the form that the head of this file describes. */
 struct ph_quotient {
     uint32_t q;
     int8_t s;
@@ -81,7 +81,7 @@ struct ph_quotient {
 
 struct ph_quotient ph_depth_quotient(const struct ph_lens *lens, fx_t w);
 
-/* The same under a perspective, from fx_rcp_norm(w): two products fewer if the reciprocal is there already. */
+/* ph_depth_quotient under a perspective, from fx_rcp_norm(w): two products fewer if the reciprocal is there already. */
 static inline struct ph_quotient ph_depth_quotient_of(const struct ph_lens *lens, uint32_t reciprocal, int shift)
 {
     const uint32_t q = fx_mulhi_u32(lens->depth_scale, reciprocal);
@@ -89,14 +89,15 @@ static inline struct ph_quotient ph_depth_quotient_of(const struct ph_lens *lens
     return q < (uint32_t)1 << 30 ? (struct ph_quotient){q << 1, (int8_t)(s + 1)} : (struct ph_quotient){q, (int8_t)s};
 }
 
-/* N/f in units of 2^-(32 + block), modulo 2^32. Below it: d of a vertex that is not behind the far plane, given this
- * N/f; block is 0 or below s - 1. N/w may be 1 and more, d is less. */
+/* N/f in units of 2^-(32 + block), modulo 2^32. block is 0 or below far_s - 1. */
 static inline uint32_t ph_depth_far(const struct ph_lens *lens, int block)
 {
     const int up = 2 + block - lens->far_s;
     return up >= 0 ? lens->far_q << up : up > -32 ? lens->far_q >> -up : 0;
 }
 
+/* d of a vertex that is not behind the far plane, in units of 2^-(32 + block); far: the result of ph_depth_far. block
+ * is 0 or below s - 1. N/w may be 1 and more, d is less. */
 static inline uint32_t ph_depth_before(struct ph_quotient quotient, uint32_t far, int block)
 {
     const int up = 2 + block - quotient.s;
@@ -104,7 +105,7 @@ static inline uint32_t ph_depth_before(struct ph_quotient quotient, uint32_t far
     return at - far;
 }
 
-/* Both steps in one. */
+/* d of a quotient in units of 2^-(32 + block): ph_depth_before with the far plane of the lens. */
 uint32_t ph_depth_at(const struct ph_lens *lens, struct ph_quotient quotient, int block);
 
 /* The lowest octave of a float in units of 2^-(32 + block): e bits of exponent count all that is below 2^-(2^e - 2) as
@@ -122,25 +123,25 @@ static inline int ph_depth_octave(uint32_t d, int lowest)
     return zeros < lowest ? zeros : lowest;
 }
 
-/* Whether d lies in that octave. This is cheaper than to compute its own. */
+/* Whether d lies in an octave. This is cheaper than ph_depth_octave, which computes the octave of d. */
 static inline bool ph_depth_in_octave(uint32_t d, int octave, int lowest)
 {
     return (d >> (octave > 0 ? 31 - octave : 31) | (uint32_t)(octave >= lowest)) == 1;
 }
 
-/* A d of an octave as a 16.16 code of a float, but for the octave's constant; up: octave - down. Below it: a gradient
- * of d. */
+/* Converts a d of an octave to a 16.16 code of a float, without the octave's constant. up: octave - down. */
 static inline uint32_t ph_depth_float16_value(uint32_t d, int up)
 {
     return up >= 0 ? d << up : d >> -up;
 }
 
+/* Converts a gradient of d to a gradient of 16.16 codes in an octave. up: octave - down. */
 PH_TIER(scenery) static inline uint32_t ph_depth_float16_slope(uint32_t gradient, int up)
 {
     return up >= 0 ? gradient << up : (uint32_t)((int32_t)gradient >> -up) + (gradient >> (-up - 1) & 1);
 }
 
-/* The octave's constant plus the bias. */
+/* The constant of an octave in 16.16 codes of a float, plus PH_DEPTH_BIAS_FLOAT16. */
 static inline uint32_t ph_depth_float16_offset(int octave, int block, int down)
 {
     return ((uint32_t)((2 << down) - 2 - octave - block) << (31 - down)) + PH_DEPTH_BIAS_FLOAT16;

@@ -19,7 +19,7 @@
 #define PH_EXACT_RUN  512 /* pixels; the rounded step of a run is half a 24-bit code off at its ends */
 #define PH_EXACT_ROWS 16  /* a strip of rows begins at each multiple */
 
-/* Makes an exact plane of a depth, whose plane does not do; `over_w` is set. */
+/* Makes an exact plane of a depth for which 32 bits are not enough; `over_w` is set already. */
 void ph_set_exact(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                   const struct ph_sides *sides, struct ph_depth *depth);
 

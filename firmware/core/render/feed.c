@@ -11,7 +11,8 @@ PH_TIER(mesh) static inline void *ph_at(const struct ph_renderer *r, uint32_t pl
 #include "edge.h"
 #include "list.h"
 
-/* Not a part of link_ref, so that the loop of sort_refs stays short. */
+/* Links a reference to one that is far away. Out of line: it is rare, and inlined it would lengthen the loop of
+ * sort_refs. */
 static PH_NOINLINE void link_far(struct ph_ref *at, uint32_t next)
 {
     at->link = next == PH_NONE ? 0 : PH_LINK_FAR;
@@ -35,7 +36,7 @@ static inline __attribute__((always_inline)) void sort_ref(uint32_t *bins, struc
     link_ref(ref, i, next);
 }
 
-/* The same where some of the references belong into no list. */
+/* Puts references into the lists of their bands, but those that are cut out or blended, which are in no list. */
 PH_TIER(mesh) static PH_NOINLINE void sort_some_refs(uint32_t *bins, struct ph_ref *ref, uint32_t i)
 {
     for (; i > 0; ref++) {
@@ -82,7 +83,8 @@ PH_TIER(mesh) void ph_feed_sort(struct ph_renderer *r)
 
 /* ---- the list of a band ----------------------------------------------------------------------------------------- */
 
-/* Whether a triangle has rows in the band. Only asked where a list leaps over very many references. */
+/* Whether a triangle has rows in the band. Called only when the next reference of a list is PH_LINK_FAR or more
+ * away. */
 static bool touches(const struct ph_feed *f, const struct ph_draw *draw, const struct ph_ref *ref)
 {
     const int32_t height = f->r->config.band_height, y0 = (int32_t)f->band * height;
@@ -108,7 +110,7 @@ PH_TIER(seldom) uint32_t ph_feed_far(const struct ph_feed *f, uint32_t ref)
 
 void ph_feed_put_below(const struct ph_feed *f, uint32_t ref, uint32_t *after)
 {
-    struct ph_feed below; /* the rest of it is of no use here */
+    struct ph_feed below; /* only these two members are read */
     below.r = f->r;
     below.band = f->band + 1;
     uint32_t *const bin = &f->r->config.bins[below.band], before = *after;

@@ -55,7 +55,7 @@ static inline __attribute__((always_inline)) int32_t column_of(const uint8_t *co
     return ((const struct ph_vertex *)(const void *)corner)->x;
 }
 
-/* Widens them by a column; most lie within. */
+/* Widens a range of columns so that it holds x; mostly it does already. */
 static inline __attribute__((always_inline)) void widen(struct columns *all, int32_t x)
 {
     const uint32_t more = (uint32_t)x - (uint32_t)all->from;
@@ -65,7 +65,7 @@ static inline __attribute__((always_inline)) void widen(struct columns *all, int
     }
 }
 
-/* Those of the corners of a band's references, from `at` on. */
+/* The range of columns that the corners of a band's triangles span, from the reference `at` on. */
 static inline struct columns columns_of(struct walk *w, const struct ph_ref *at, const struct ph_triangle *carried)
 {
     const struct ph_ref *draw_end = w->draw_end;

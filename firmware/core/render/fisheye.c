@@ -29,7 +29,7 @@ static const uint32_t g_ahead[67] = {
     1079369418, 1073741824, 1068184139, 1062694977,
 };
 
-/* The same behind the viewer, Q26: octave k, 34 entries, is at 1 + c = 2^-(k + 1) (1 + i / 32). */
+/* theta / sin theta behind the viewer, Q26: octave k, 34 entries, is at 1 + c = 2^-(k + 1) (1 + i / 32). */
 PH_TIER(few)
 static const uint32_t g_behind[7 * 34] = {
     162296020,  159280097,  156402440,  153652987,  151022669,  148503284,  146087397,  143768247,  141539672,
@@ -94,7 +94,7 @@ static inline uint32_t between(const uint32_t *g, uint32_t part_q32)
     return g[0] - fx_mulhi_u32(fall, part_q32) - ((bend >> 8) * (part * (65536 - part) >> 17) >> 8);
 }
 
-/* g of c, Q26, 2^-18 off at most. */
+/* g = theta / sin theta at c = cos theta, Q26, 2^-18 off at most. */
 PH_TIER(few) static uint32_t g_of(int32_t c)
 {
     if (c >= 0) {

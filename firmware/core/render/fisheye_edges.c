@@ -16,7 +16,8 @@
 
 #define SHORT ((uint32_t)1 << 16) /* shorter edges, below 2^-5 radian, are never divided; squared Q26 */
 
-/* The square of a chord, (1/128 px)^2; UINT32_MAX from 256 px along an axis on. Both ways it is the same. */
+/* The square of a chord, (1/128 px)^2; UINT32_MAX from 256 px along an axis on. The order of its ends does not
+ * matter. */
 static inline uint32_t chord2(int32_t ax, int32_t ay, int32_t bx, int32_t by)
 {
     const uint32_t dx = fx_magnitude(bx - ax) >> 1, dy = fx_magnitude(by - ay) >> 1;
@@ -28,14 +29,15 @@ PH_TIER(few) static uint32_t chord_of(const struct ph_ray *a, const struct ph_ra
     return chord2(a->at.x, a->at.y, b->at.x, b->at.y);
 }
 
-/* Longer chords are divided always. */
+/* The square of the longest chord that may stay whole, (1/128 px)^2. */
 static inline uint32_t longest2(const struct ph_lens *lens)
 {
     const uint32_t half = (uint32_t)lens->chord_max >> 1;
     return half * half;
 }
 
-/* Shorter chords are never divided: they are less than 1/2 px off. `zones`: what both ends have of BEFORE and ASIDE. */
+/* The square of the chord below which no edge is divided, because it is less than 1/2 px off, (1/128 px)^2. `zones`:
+ * the flags BEFORE and ASIDE that both ends have. */
 static inline uint32_t shortest2(const struct ph_lens *lens, unsigned zones)
 {
     const uint32_t f = lens->chord_min2, least = (zones & PH_RAY_BEFORE) != 0  ? f

@@ -75,7 +75,7 @@ struct ph_corner ph_ray_corner(const struct ph_lens *lens, const struct ph_ray *
 
 /* ---- fisheye_edges.c ---- */
 
-/* What is known of the edge from a to b: see PH_ARC_LONG. */
+/* Measures the edge from a to b; the result is described at PH_ARC_LONG. */
 uint32_t ph_fisheye_arc(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b);
 
 /* The edge of a triangle that has to be divided, or -1; its dividing point becomes *middle. Edge k is opposite corner

@@ -5,8 +5,8 @@
 #include "blend.h"
 #include "render.h"
 
-/* What the fog leaves of a colour, and what it adds: kept, because neighbours mostly have the same. Colours are spread,
- * see blend.h. */
+/* The fog at one depth code: what it leaves of a colour, and what it adds. It is kept, because neighbours mostly have
+ * the same code. Colours are spread, see blend.h. */
 struct ph_fog_here {
     const uint32_t *codes; /* as in the renderer */
     uint32_t colour;

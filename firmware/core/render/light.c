@@ -49,7 +49,7 @@ struct length {
     int bits;        /* of the largest component */
 };
 
-/* The same for each vertex: 6.2e-5 off, and without a division. */
+/* The unit vector of a vector in Q1.14, 6.2e-5 off: unit_q14 without its division, for work at each vertex. */
 static struct length quick_unit_q14(const int32_t in[3], int16_t out[3])
 {
     const uint32_t largest = fx_magnitude(in[0]) | fx_magnitude(in[1]) | fx_magnitude(in[2]);
@@ -244,7 +244,7 @@ static inline __attribute__((always_inline)) bool add_directional(const struct p
     return true;
 }
 
-/* The same of a point light. */
+/* What a point light or a spot adds to a vertex, Q2.14. */
 static PH_NOINLINE bool add_point(const struct ph_local_lights *local, const struct ph_local_light *l,
                                   const int16_t normal[3], const struct fx_vec3 *position, int32_t *diffuse,
                                   int32_t *specular)

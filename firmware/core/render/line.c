@@ -122,7 +122,7 @@ static PH_NOINLINE int32_t change_before(int32_t change, int32_t before, int32_t
     return (int32_t)(fx_mul_wide(change, part_q28(reciprocal, shift, before)) >> 28);
 }
 
-/* before < 256 <= length: it is over a pixel long, and its upper end is in the picture. */
+/* Whether a line is over a pixel long and its upper end is in the picture: before < 256 <= length. */
 static inline bool is_usual(const struct part *part)
 {
     return part->before < 256 && part->length >= 256;
@@ -223,7 +223,7 @@ static PH_NOINLINE void any_depth(const struct ph_setting *s, const struct ph_ve
     }
 }
 
-/* Depth of both ends as 16.16 codes, less than 2^31 apart. False if they are none in this format. */
+/* Finds the depth of both ends as 16.16 codes, less than 2^31 apart. False if this format has no such codes. */
 static inline bool end_codes(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                              uint32_t d[3])
 {
@@ -265,8 +265,8 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
                                           : change_before(change, part.before, part.reciprocal, part.shift));
 }
 
-/* Leaves out the pixels that do not lie in columns or rows 0 .. size - 1 across the longer axis, of *count pixels, the
- * first of which lies at `across`. Returns how many that are before the first one that is left. */
+/* Cuts a line's *count pixels down to those that lie in columns or rows 0 .. size - 1 across its longer axis; the first
+ * lies at `across`. Returns how many pixels before the first one that stays were cut off. */
 static PH_NOINLINE int32_t trim(int32_t across, int32_t slope, uint32_t size, int32_t *count)
 {
     int32_t skipped = 0, left = *count, last = across + (left - 1) * slope;
@@ -280,8 +280,8 @@ static PH_NOINLINE int32_t trim(int32_t across, int32_t slope, uint32_t size, in
     return skipped;
 }
 
-/* Draws count pixels of a line in any depth format, one by one, but the first ones, which are skipped: each is one of
- * a flat triangle of that depth. */
+/* Draws count pixels of a line one by one, in any depth format, after the first ones, which are skipped. Each is drawn
+ * as a pixel of a flat triangle with the line's depth. */
 static PH_NOINLINE void draw_any(const struct ph_triangle *t, int32_t skipped, int32_t count,
                                  const struct ph_band *band)
 {

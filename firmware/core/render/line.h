@@ -25,7 +25,7 @@ void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, 
 void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                    struct ph_triangle *t);
 
-/* Draws what of a line lies in the band. Returns the pixels tested. */
+/* Draws the part of a line that lies in the band. Returns the pixels tested. */
 uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *band);
 
 /* Steps a line down to row y. */

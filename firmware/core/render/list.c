@@ -17,8 +17,8 @@ enum { OWN, VERTICES, TRIANGLES };
 #define GRAIN   8u          /* bytes */
 #define NO_ROOM 0x3fffffffu /* used: nothing is taken from there */
 
-/* A triangle that can be seen takes a reference of 8 bytes. Of a closed mesh half can be seen, and there are half as
- * many vertices as triangles: so another 16 bytes hold as many vertices, however many meshes there are. */
+/* A triangle that can be seen takes a reference of 8 bytes. Half of a closed mesh can be seen, and it has half as many
+ * vertices as triangles: so another 16 bytes hold as many vertices, however many meshes there are. */
 const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
 const size_t ph_triangle_bytes = sizeof(struct ph_vertex) + sizeof(struct ph_ref);
 _Static_assert(sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
@@ -42,7 +42,7 @@ PH_TIER(mesh) static size_t room_of(const struct ph_renderer *r, int piece)
                                 : c->vertex_max * ph_vertex_bytes;
 }
 
-/* How far references may go down. */
+/* Sets list->end, down to which references may be listed: they grow downwards in memory. */
 PH_TIER(mesh) static void set_end(struct ph_renderer *r)
 {
     struct ph_list *const list = &r->list;
@@ -383,7 +383,8 @@ PH_TIER(mesh) int32_t ph_first_row_of(const struct ph_renderer *r, const struct 
     return left >= right || right <= 0 || left >= r->config.width || top >= low ? -1 : top;
 }
 
-/* Lists three numbers as a triangle that begins in this row, if it begins anywhere. */
+/* Lists the triangle with these three corner numbers in the band of its first row. False if row is -1: it has no
+ * row. */
 PH_TIER(scenery) static bool list_at(struct ph_renderer *r, unsigned a, unsigned b, unsigned c, int32_t row)
 {
     if (row < 0) {
@@ -408,8 +409,8 @@ bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const str
                     : list_at(r, corner[0], corner[2], corner[1], ph_first_row_of(r, v));
 }
 
-/* Whether corners behind `base` can have numbers from there on. Returns how many bytes to leave out before them, or -1.
- */
+/* Whether corners at the end of a piece can have numbers of the last draw, which count from its base. Returns how many
+ * bytes to leave out before them, or -1. */
 PH_TIER(few)
 static int32_t gap_behind(const struct ph_renderer *r, const struct ph_draw *last, uint32_t size, uint32_t n)
 {

@@ -46,7 +46,7 @@ struct ph_draw {
                                                   draw has 40 bytes on every machine, so that the same fits */
 };
 
-/* What a place names. */
+/* Converts a place (piece in the top 2 bits, byte offset below) to a pointer. */
 static inline void *ph_at(const struct ph_renderer *r, uint32_t place)
 {
     const unsigned piece = place >> 30;
@@ -72,7 +72,8 @@ void ph_list_begin(struct ph_renderer *r);
 /* Room for the vertices of a mesh: their place; PH_NONE if there is none. */
 uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n);
 
-/* Before something is drawn, and after it: gives back all room that was taken in between if nothing was listed. */
+/* The state of the list: ph_list_mark takes it before something is drawn, and ph_list_rewind after it gives back all
+ * memory that was taken in between if nothing was listed. */
 struct ph_mark {
     uint32_t used[3], last, count, rows;
     struct ph_draw draw; /* the last one: without references it gives its room to the next one */
@@ -88,13 +89,13 @@ static inline uint32_t ph_row_pixels(const struct ph_renderer *r)
     return (r->config.width + 1u) & ~1u;
 }
 
-/* Its bytes: two colours and depth. */
+/* Bytes of a row that something with a blend is drawn into: two colour buffers and one depth buffer. */
 static inline uint32_t ph_row_bytes(const struct ph_renderer *r)
 {
     return ph_row_pixels(r) * (4 + (uint32_t)ph_depth_bytes(r->config.depth_format));
 }
 
-/* What struct ph_list.is_closed says. */
+/* Values of struct ph_list.is_closed. */
 enum { PH_LIST_OPEN, PH_LIST_FULL, PH_LIST_CLOSED };
 
 #define PH_NO_BAND UINT16_MAX /* struct ph_list.band: no band may be drawn */
@@ -106,19 +107,18 @@ void ph_list_close(struct ph_renderer *r);
  * list is closed, PH_ERR_NOMEM if there never is room, else PH_OK. */
 int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool lines);
 
-/* Before something with a blend is drawn. False: it is left out. There is no room for the rows that it is drawn into,
- * or the blend names no function. */
+/* Prepares for something with a blend. False: it is left out, because there is no room for the rows that it is drawn
+ * into, or because the blend names no function. */
 bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend);
 
-/* The references from that number on are cut out or blended. */
+/* Marks the references from number `first` on as cut out or blended: they are drawn after all others. */
 void ph_list_put_after(struct ph_renderer *r, uint32_t first);
 
-/* About how much work these are in each two rows of the picture, in pixels. */
+/* Estimated cost of the triangles with a blend in every two rows of the picture, in pixels. */
 uint16_t *ph_list_work(const struct ph_renderer *r);
 
-/* Such a reference has the rows of its triangle in its link, in eighths, so that most are passed over at a glance: the
- * first from bit 0 on, the last from bit 8 on. A picture has 1024 rows at most. Whether it may reach the eighths first
- * to last. */
+/* Whether a triangle with a blend may reach rows 8 first to 8 last + 7. Its link holds its first row in bits 0 .. 6 and
+ * its last row from bit 8 on, divided by 8 (a picture has 1024 rows at most), so that a band skips most at a glance. */
 static inline bool ph_ref_may_reach(const struct ph_ref *ref, uint32_t first, uint32_t last)
 {
     const uint32_t link = ref->link;
@@ -130,16 +130,16 @@ struct ph_box {
     int32_t x0, x1, y0, y1;
 };
 
-/* What the corners of a reference reach, also outside the picture; a line is as wide as it can be. */
+/* The box around the corners of a reference, also outside the picture; a line is as wide as it can be. */
 struct ph_box ph_box_of(const struct ph_renderer *r, const struct ph_draw *draw, const struct ph_ref *ref);
 
-/* The number of the reference behind those of a draw. */
+/* The number of the first reference after those of a draw. */
 static inline uint32_t ph_end_of_draw(const struct ph_renderer *r, const struct ph_draw *draw)
 {
     return draw->next == PH_NONE ? ph_ref_count(r) : ((const struct ph_draw *)ph_at(r, draw->next))->first;
 }
 
-/* Takes the lens of a draw for what is set up next. */
+/* Makes the lens of a draw that of the renderer, for the triangles that are set up next. */
 void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw);
 
 /* Place of corner 0 of the current draw. */
@@ -216,7 +216,7 @@ static inline bool ph_is_textured(const struct ph_material *material)
            material->texture != NULL;
 }
 
-/* Whether its corners need u and v. */
+/* Whether a material needs u and v of the corners. */
 static inline bool ph_has_uvs(const struct ph_material *material)
 {
     return ph_is_textured(material) || (material->blend != NULL && material->blend->alphas != NULL);

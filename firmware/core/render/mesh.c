@@ -14,8 +14,8 @@
 
 #define BLOCK 128u /* triangles that two cores cull at a time where some may have to be clipped */
 
-/* Triangles that are drawn one by one: of fewer one core draws all; it draws so many until it asks again for the other.
- */
+/* Triangles that are drawn one by one: fewer than these are drawn by one core, which draws so many before it asks for
+ * the other core again. */
 #define EACH_LEAST 6
 #define EACH_ALONE 3
 
@@ -58,7 +58,7 @@ PH_TIER(scenery) static void light_corners(const struct part_context *c, const u
         if (code >= PH_LIT && lit != 0) {
             continue;
         }
-        const uint16_t light = light_of(c, index[i]); /* the other core may find it, too: it comes to the same */
+        const uint16_t light = light_of(c, index[i]); /* both cores may compute and write this light: it is the same */
         __atomic_store_n(&corner->light, light, __ATOMIC_RELAXED);
         __atomic_store_n(&corner->code, (uint8_t)(code | PH_LIT), __ATOMIC_RELEASE);
     }
@@ -127,7 +127,7 @@ static PH_NOINLINE bool draw_any(const struct part_context *c, const uint16_t in
 }
 
 /* Triangles that two cores draw one by one: this core from the first on, the other one from the last back, until they
- * meet. They claim them as in bands.c. It stands in the scene's room. */
+ * meet. They claim triangles as struct fresh of bands.c describes. This struct lies in the memory of the scene. */
 struct each_lent {
     struct ph_lent lent;
     struct part_context c; /* the other core's */
@@ -293,7 +293,7 @@ static bool cull_both(const struct part_context *c, const uint16_t (*index)[3], 
     return true;
 }
 
-/* The same with ph_cull, which lists most of the triangles. */
+/* Lists the triangles of a part on this core. ph_cull lists most of them. */
 PH_TIER(mesh)
 static uint32_t cull_alone(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {

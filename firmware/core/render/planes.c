@@ -90,8 +90,8 @@ PH_TIER(scenery) static inline int64_t times_wide(int64_t d, int32_t n)
 }
 
 /*
- * Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first:
- * x = (d2 dy1 - d1 dy2) / area, y = (d1 dx2 - d2 dx1) / area. For *halved see plane_through below.
+ * Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first: x = (d2 dy1 - d1
+ * dy2) / area, y = (d1 dx2 - d2 dx1) / area. plane_through describes *halved.
  */
 static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t d1, int64_t d2, int *halved)
 {
@@ -130,8 +130,8 @@ static inline int32_t times_q16(int32_t n, int32_t r)
 }
 
 /*
- * The same for short sides, in 32 bits. d1, d2 (below 2^15) are the differences over 2^drop. On entry out->base is the
- * value at the first corner.
+ * wide_plane for short sides, in 32 bits. d1, d2 (below 2^15) are the differences over 2^drop. On entry out->base is
+ * the value at the first corner.
  */
 PH_TIER(scenery)
 static FX_APART int short_plane(struct ph_plane *out, const struct plane_base *s, int32_t d1, int32_t d2, int drop)
@@ -147,7 +147,7 @@ static FX_APART int short_plane(struct ph_plane *out, const struct plane_base *s
     return down - unit;
 }
 
-/* The same for differences below 2^30, of which the upper 16 bits are taken. */
+/* short_plane for differences below 2^30, of which the upper 16 bits are taken. */
 static inline int scaled_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int32_t d1, int32_t d2)
 {
     const int spare = fx_clz32(ph_without_sign(d1) | ph_without_sign(d2));
@@ -286,7 +286,8 @@ PH_TIER(scenery) bool ph_small_plane_does(const uint32_t d[3], int block)
     return at.far - at.near <= 1 && at.far - ph_block_down(block) <= SMALL_UP;
 }
 
-/* The rest of a float small triangle's plane: d and its gradients are multiples of 2^down, so no shift loses a bit. */
+/* Finishes the plane of a small triangle with float depth across octaves: it gets its knee. d and its gradients are
+ * multiples of 2^down, so no shift loses a bit. */
 PH_TIER(scenery) static void bend_plane(struct ph_triangle *t, int octave, uint32_t middle)
 {
     struct ph_small_triangle *const small = &t->as.small.rows;
@@ -353,7 +354,7 @@ PH_TIER(scenery) static void round_depth(struct ph_plane *plane, int bits)
     plane->gy = (plane->gy + half) & mask;
 }
 
-/* A float format. False if 32 bits do not do. */
+/* Sets depth in a float format. False if 32 bits are not enough. */
 PH_TIER(scenery)
 static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane_base *s,
                                     const struct ph_vertex *const v[3], uint32_t bias, struct ph_plane *depth,
@@ -373,7 +374,7 @@ static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct pl
            !is_steep(s->sides, depth, ph_max(STEEP + down - at.far, 32));
 }
 
-/* linear-w: the plane of N/w, and how it becomes a code. False if 32 bits do not do. */
+/* Sets depth for linear-w: the plane of N/w, and how it becomes a code. False if 32 bits are not enough. */
 static PH_NOINLINE bool setup_linear(const struct ph_renderer *r, const struct plane_base *s,
                                      const struct ph_vertex *const v[3], uint32_t bias, struct ph_depth *depth)
 {
@@ -391,7 +392,7 @@ static PH_NOINLINE bool setup_linear(const struct ph_renderer *r, const struct p
            !is_steep(s->sides, &depth->as.plane, ph_min(STEEP - 1 - 2 * zeros + far_zeros, 48));
 }
 
-/* Depth and block. False if 32 bits do not do. */
+/* Sets depth and block of a triangle. False if 32 bits are not enough. */
 PH_TIER(scenery)
 static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct plane_base *s,
                                     const struct ph_material *material, const struct ph_vertex *const v[3],
@@ -413,7 +414,7 @@ static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct pl
     return depth_plane(s, format != PH_DEPTH_FIXED16, d, plane) <= 0 && !is_steep(s->sides, plane, STEEP);
 }
 
-/* u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */
+/* Finds u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */
 PH_TIER(scenery)
 static int texture_range(const struct ph_texture *texture, const fx_t *const uv[3], int axis, uint32_t out[3])
 {
@@ -429,7 +430,8 @@ static int texture_range(const struct ph_texture *texture, const fx_t *const uv[
     return log2 > 0 ? log2 : 0;
 }
 
-/* The planes of u/w, v/w and 1/w, once t->block is set. uv: those of each corner; NULL counts as 0. */
+/* Sets the planes of u/w, v/w and 1/w; t->block is set already. uv: the texture coordinates of each corner; NULL counts
+ * as 0. */
 PH_TIER(scenery)
 static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct plane_base *s,
                                       const struct ph_vertex *const v[3], const fx_t *const corner_uv[3],
@@ -478,13 +480,13 @@ static PH_NOINLINE void setup_shades(const struct plane_base *s, const struct ph
     plane_light(&t->as.large.of.map.shades, s, light);
 }
 
-/* The colour of a light. */
+/* The colour that a material's ramp has for a light. */
 PH_TIER(scenery) static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
 {
     return material->ramp != NULL ? material->ramp[light >> 9] : material->colour;
 }
 
-/* plane_base for what is rare. */
+/* plane_base as a function of its own, for triangles that are rare. */
 PH_TIER(scenery)
 static PH_NOINLINE void rare_base(struct plane_base *base, const struct ph_vertex *first, const struct ph_sides *sides)
 {
@@ -510,7 +512,7 @@ void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], c
     }
 }
 
-/* The light, the texture, or one colour. */
+/* Sets what gives the pixels their colour: a plane of light, a texture, or one colour. */
 PH_TIER(scenery)
 static void setup_shading(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
                           const fx_t *const uv[3], struct ph_triangle *t)

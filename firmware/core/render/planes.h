@@ -47,10 +47,10 @@ static inline struct ph_quotient ph_depth_of(const struct ph_vertex *v)
  * returned; else the block exponent of the triangle. */
 uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
 
-/* Whether the plane of ph_setup_small does for depths (units of 2^-(32 + block)) across octaves. Two at most; and its
- * gradients are off by up to 2^8 units a pixel. Over 16 columns and rows, in octave `far`, these are 2^(far - down - 3)
- * codes: half a code, or one in the octave beside it, up to far = down + 2. Beyond, near the far plane, they are many.
- */
+/* Whether the plane of ph_setup_small is exact enough for depths (units of 2^-(32 + block)) across octaves. Two octaves
+ * at most; and its gradients are off by up to 2^8 units a pixel. Over 16 columns and rows, in octave `far`, these are
+ * 2^(far - down - 3) codes: half a code, or one in the octave beside it, up to far = down + 2. Beyond, near the far
+ * plane, they are many. */
 bool ph_small_plane_does(const uint32_t d[3], int block);
 
 /* Makes a small triangle that crosses from one octave into the next one of PH_KIND_SMALL_KNEE, unless a pixel of it may
@@ -61,12 +61,12 @@ void ph_set_knee(struct ph_triangle *t, const uint32_t d[3]);
 bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
                     const uint32_t d[3]);
 
-/* Sets depth and block. False if 32 bits do not do: see exact.h. */
+/* Sets depth and block. False if 32 bits are not enough: see exact.h. */
 bool ph_set_depth(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                   const struct ph_sides *sides, struct ph_depth *depth, uint8_t *block);
 
 /* Sets what the pixels of a large triangle take: all but rows and edges; material is set already.
- * uv: those of each corner; NULL if the material has no texture. False if 32 bits do not do for depth. */
+ * uv: those of each corner; NULL if the material has no texture. False if 32 bits are not enough for depth. */
 bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                    const fx_t *const uv[3], const struct ph_sides *sides);
 

@@ -82,7 +82,7 @@ static inline uint32_t draw_left(const struct ph_triangle *t, const struct ph_sm
                                          : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
 }
 
-/* After n rows the light of a small triangle of samples is another one: it goes down by pixels, see light_pixels in
+/* Sets the light of a small triangle of samples after n rows were skipped: it steps by pixels, see light_pixels in
  * setup.c. */
 static PH_NOINLINE void mend_light(struct ph_small_triangle *r, uint32_t n)
 {
@@ -122,7 +122,7 @@ static PH_NOINLINE uint32_t draw_fine(const struct ph_triangle *t, const struct 
     return ph_fine_gouraud(&r, at.depth, at.pixels, stride_bytes);
 }
 
-/* ph_draw_above for that. */
+/* ph_draw_above for a small triangle of samples. */
 static PH_NOINLINE uint32_t draw_fine_above(struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle *const small = &t->as.small.rows;
@@ -170,7 +170,7 @@ static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_b
     return ph_small_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
 }
 
-/* Of a triangle that is hidden the pixels are counted only. */
+/* Draws a triangle, or only counts its pixels if an occluder hides it. */
 PH_TIER(loop) static PH_NOINLINE uint32_t draw_unless_hidden(const struct ph_triangle *t, const struct ph_band *band)
 {
     const uint32_t hidden = ph_coarse_hidden(t, band);
@@ -242,7 +242,7 @@ PH_TIER(loop) void ph_step_below(struct ph_triangle *t, int32_t y1)
     }
 }
 
-/* ph_draw_above for what is drawn as elsewhere, and then stepped down. */
+/* The general case of ph_draw_above: draws the triangle, then steps it down to the next band. */
 PH_TIER(loop) static PH_NOINLINE uint32_t draw_then_step(struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->kind == PH_KIND_SMALL_FINE) {

@@ -5,7 +5,7 @@
 #include "band.h"
 #include "kernels.h"
 
-/* Draws what of a triangle lies in the band. Returns the pixels tested. */
+/* Draws the part of a triangle that lies in the band. Returns the pixels tested. */
 uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band);
 
 /* Draws a triangle that ends in the band: ph_draw_triangle does so too, but a small one is found sooner here. */
@@ -26,7 +26,7 @@ static inline uint32_t ph_draw_end(const struct ph_triangle *t, const struct ph_
                : ph_draw_triangle(t, band);
 }
 
-/* Before the band that begins at row y1 a triangle is stepped down to it; y_bottom is below y1. */
+/* Steps a triangle down to row y1, where the next band begins; y_bottom is below y1. */
 void ph_step_below(struct ph_triangle *t, int32_t y1);
 
 /* Draws a triangle that goes on below the band, and steps it down to the next one in place. Only one core may use the

@@ -4,7 +4,8 @@
 
 #include "band.h"
 
-/* Draws what of such a triangle lies in the band. Returns the pixels tested. */
+/* Draws the part of a triangle with an exact plane of depth (exact.h) that lies in the band. Returns the pixels
+ * tested. */
 uint32_t ph_draw_exact(const struct ph_triangle *t, const struct ph_band *band);
 
 #endif

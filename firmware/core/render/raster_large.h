@@ -4,7 +4,7 @@
 
 #include "band.h"
 
-/* Draws what of a triangle that is neither small nor exact lies in the band. Returns the pixels tested. */
+/* Draws the part that lies in the band of a triangle that is neither small nor exact. Returns the pixels tested. */
 uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band);
 
 #endif

@@ -19,7 +19,7 @@ struct ph_place {
     bool wide;       /* rows may leave the picture, or have more than PH_SMALL_COLUMNS pixels */
 };
 
-/* Draws what of a Gouraud triangle with depth of 16 bits lies in the band. Returns the pixels tested. */
+/* Draws the part of a Gouraud triangle that lies in the band, with depth of 16 bits. Returns the pixels tested. */
 uint32_t ph_draw_wide(const struct ph_triangle *t, const struct ph_band *band);
 
 /* Draws the rows of r, which crosses octaves. texels: NULL without a texture. */

@@ -4,10 +4,11 @@
 
 #include "band.h"
 
-/* Draws what of a triangle of one colour, or of a Gouraud one, lies in the band. Returns the pixels tested. */
+/* Draws the part of a triangle that lies in the band; it has one colour or is a Gouraud one. Returns the pixels
+ * tested. */
 uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band);
 
-/* Draws pixel (x, y) of the band, which is one of a flat triangle whose depth is not exact. */
+/* Draws pixel (x, y) of a flat triangle whose depth is not exact; the pixel lies in the band. */
 void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band);
 
 #endif

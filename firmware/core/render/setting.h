@@ -5,7 +5,7 @@
 #include "kernels.h"
 #include "list.h"
 
-/* See ph_setting_of in setup.h. */
+/* What all triangles and lines of a draw share; ph_setting_of in setup.h fills it in. */
 struct ph_setting {
     bool is_small;         /* small triangles are drawn as such */
     bool is_usual;         /* ph_setup_usual knows such triangles */

@@ -69,7 +69,7 @@ static FX_APART void setup_outline(int32_t height, const struct ph_vertex *const
     }
 }
 
-/* Edges and planes of any triangle. False if 32 bits do not do for its depth. */
+/* Edges and planes of any triangle. False if 32 bits are not enough for its depth. */
 PH_TIER(scenery)
 static PH_NOINLINE bool setup_any(const struct ph_renderer *r, const struct ph_material *material,
                                   const struct ph_vertex *const v[3], const fx_t *const uv[3],
@@ -101,8 +101,9 @@ static inline bool is_narrow(uint32_t dx1, uint32_t dx2)
     return ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
 }
 
-/* What a triangle that is not small is drawn as, because it has short sides and keeps off the borders. */
-enum reach { FAR, WIDE, NARROW }; /* narrow: as narrow as a small one */
+/* How far a triangle exceeds a small one: NARROW in height only, WIDE in width as well, FAR: it is drawn as a large
+ * one. */
+enum reach { FAR, WIDE, NARROW }; /* NARROW: as narrow as a small one */
 
 PH_TIER(few)
 static PH_NOINLINE enum reach reach_of(const struct ph_setting *s, const struct ph_sides *sides,
@@ -169,7 +170,7 @@ PH_TIER(mesh) static bool small_is_empty(const struct ph_small_triangle *s)
                               : rows_are_empty(s->lower, ph_edge_below(right, s->upper_rows), s->lower_rows));
 }
 
-/* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits do not do. */
+/* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits are not enough. */
 PH_TIER(mesh)
 static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
                                      const struct ph_vertex *const v[3], const struct ph_sides *sides,
@@ -193,8 +194,8 @@ static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rend
     return true;
 }
 
-/* Depth is the same in all shadings: that of a triangle with a texture or colours is what a small one of another
- * shading has. False if 32 bits do not do. */
+/* Gives a triangle with a texture or colours the depth that a small triangle of another shading has, so that depth is
+ * the same in all shadings. False if 32 bits are not enough. */
 PH_TIER(figure)
 static PH_NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_setting *s,
                                          const struct ph_vertex *const v[3], const struct ph_sides *sides, bool fits)
@@ -242,7 +243,7 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     }
 }
 
-/* Usual triangles of samples have longer sides, if the picture is large enough. */
+/* Lets ph_setup_usual take longer sides where pixels are samples, if the picture is large enough. */
 static PH_NOINLINE void widen_usual(struct ph_usual *usual)
 {
     const uint32_t more = PH_SIDE_SHORT - PH_SIDE_SMALL;
@@ -289,8 +290,9 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
                               : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
 }
 
-/* From the light of samples to that of pixels. Light stays in the plane's 32 bits: one that wraps is the right one at
- * the samples, and what is added is gentle, wrapped or not. Bit 0 says that a row is the second one of its pixels. */
+/* Converts the light of samples to the light of pixels. Light stays in the plane's 32 bits: one that wraps is the right
+ * one at the samples, and what is added is gentle, wrapped or not. Bit 0 says that a row is the second one of its
+ * pixels. */
 static void light_pixels(struct ph_small_triangle *small, uint32_t is_second)
 {
     const uint32_t gx = small->glight, gy = small->light_dy;
@@ -325,7 +327,7 @@ static bool has_long_rows(const struct ph_small_triangle *small)
     return (int32_t)first >= most || (int32_t)last >= most || (small->lower_rows > 0 && (int32_t)below >= most);
 }
 
-/* Gives a small triangle of one light that light. */
+/* Sets the light of a small triangle whose corners share one light. */
 static inline void set_light(const struct ph_setting *s, const struct ph_vertex *first, struct ph_triangle *t)
 {
     if (s->shading != PH_SHADE_GOURAUD) {
@@ -356,7 +358,7 @@ PH_TIER(mesh) void ph_set_usual_light(const struct ph_setting *s, const struct p
     }
 }
 
-/* The same as ph_set_knee for a small textured triangle. */
+/* ph_set_knee for a small textured triangle. */
 static inline void set_texture_knee(struct ph_triangle *t, const uint32_t d[3])
 {
     ph_set_knee(t, d);

@@ -22,7 +22,8 @@ static inline int64_t ph_wide_area(const struct ph_sides *s)
     return fx_mul_wide(s->dx2, s->dy1) - fx_mul_wide(s->dx1, s->dy2);
 }
 
-/* Whether -PH_SIDE_SHORT <= d < PH_SIDE_SHORT for all four d. Constants would take registers: there are none. */
+/* Whether -PH_SIDE_SHORT <= d < PH_SIDE_SHORT for all four d. The shifts need no constants, which would take
+ * registers. */
 static inline bool ph_sides_are_short(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
 {
     return ((uint32_t)((dx1 >> 14) + 1) | (uint32_t)((dy1 >> 14) + 1) | (uint32_t)((dx2 >> 14) + 1) |

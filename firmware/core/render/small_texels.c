@@ -51,7 +51,7 @@ static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t
     set_small_line(&r->v, &map->v, &map->v_curve, below);
 }
 
-/* Sets the rest for rows that may leave a clamped texture. */
+/* Sets what rows that may leave a clamped texture need besides begin_run. */
 static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_triangle *t,
                                    const struct ph_texture *texture)
 {

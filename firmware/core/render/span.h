@@ -47,7 +47,7 @@ static inline bool ph_nearer16(uint16_t *depth, uint32_t d)
     return true;
 }
 
-/* The same for a 24-bit code. */
+/* Stores a 24-bit depth code if it is nearer. True if it was. */
 static inline bool ph_nearer24(uint32_t *depth, uint32_t d)
 {
     const uint32_t code = d >> 8;
@@ -74,7 +74,7 @@ static inline void ph_pixel_gouraud24(uint16_t *pixel, uint32_t *depth, uint32_t
     }
 }
 
-/* These two draw an odd pixel first, then two in each turn. */
+/* Draws a span in one colour with 24-bit depth: an odd pixel first, then two in each turn. */
 static inline void ph_span_flat24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                   uint16_t colour)
 {
@@ -105,7 +105,7 @@ static inline void ph_span_gouraud24(uint16_t *pixels, uint32_t *depth, uint32_t
     }
 }
 
-/* linear-w: d and gd belong to the plane of 1/w. */
+/* Draws a span in one colour with depth in linear-w: d and gd belong to the plane of 1/w. */
 static inline void ph_span_flat_linear(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                        const struct ph_linear *linear, uint16_t colour)
 {

@@ -24,7 +24,7 @@ static inline uint16_t texel_at(const struct ph_tile_kind *k, int32_t column, in
     return k->texels[((uint32_t)line & k->v_mask) << k->log2_width | ((uint32_t)column & k->u_mask)];
 }
 
-/* 32nds of a texel. */
+/* The fraction of a texel coordinate, in 32nds of a texel. */
 static inline int32_t in_32nds(uint32_t v, int down)
 {
     return down >= 5 ? (int32_t)v >> (down - 5) : (int32_t)(v << (5 - down));
@@ -90,7 +90,7 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
     }
 }
 
-/* Apart, because it runs from RAM where flash is slow. */
+/* draw_run as a function of its own, because it runs from RAM where flash is slow. */
 PH_TIER(scenery)
 static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph_tile_rows *r, uint32_t i, uint32_t n,
                                    struct ph_piece piece)
@@ -146,13 +146,14 @@ PH_TIER(few) void ph_draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph
 
 /* ---- rows with depth in codes, of a texture of up to 65,536 texels ---- */
 
-/* Of a row on its way to a kernel: its texels, and u and v, which a kernel takes as walks. */
+/* A row before it is handed to a kernel. */
 struct rare_row {
     struct ph_texel_row texels;
     struct ph_texel_way u, v;
 };
 
-/* Copies of u or v for one row, from column i on: without calls, which a copy of a whole struct may cost. */
+/* Copies u or v for one row, from column i on. It copies member by member, because gcc calls memcpy for a whole
+ * struct. */
 static inline void set_row_way(struct ph_texel_way *to, const struct ph_texel_way *way, uint32_t i)
 {
     to->at = ph_texel_at(way, i);

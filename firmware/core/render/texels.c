@@ -24,7 +24,7 @@ struct warp {
     uint32_t error;   /* d^2 / 2, Q16 */
 };
 
-/* W in 16 or 17 bits; false if it changes by more than 4 times. */
+/* Finds W of the corners in 16 or 17 bits; false if it changes by more than 4 times. */
 static inline bool over_w(const struct ph_vertex *const v[3], int32_t w[3])
 {
     const int s0 = v[0]->s, s1 = v[1]->s, s2 = v[2]->s;
@@ -44,7 +44,7 @@ static inline bool over_w(const struct ph_vertex *const v[3], int32_t w[3])
     return true;
 }
 
-/* False if W changes by more than a quarter. */
+/* Prepares the perspective of u and v. False if W changes by more than a quarter. */
 static inline bool set_warp(struct warp *p, const struct ph_vertex *const v[3], bool flat)
 {
     int32_t w[3] = {1 << 16, 1 << 16, 1 << 16};
@@ -88,7 +88,8 @@ static inline uint32_t shifted(int32_t v, int up)
     return up >= 0 ? (uint32_t)v << up : (uint32_t)(v >> -up);
 }
 
-/* -P q. P is in 2^-22 texels, so its gradient in 2^-14 per pixel; q is in Q28, so its gradient in Q20 per pixel. */
+/* Sets the curve -P q. P is in 2^-22 texels, so its gradient in 2^-14 per pixel; q is in Q28, so its gradient in Q20
+ * per pixel. */
 static inline void set_curve(struct ph_curve *curve, const struct ph_subpixel_gradient *gradient,
                              const struct short_gradient *q)
 {
@@ -187,7 +188,7 @@ PH_TIER(mesh) static void shrink(struct ph_plane *way, struct ph_curve *curve, i
     curve->yy = shifted((int32_t)curve->yy, -down);
 }
 
-/* Light and filter. u and v are those of the first level. */
+/* Sets light, filter and level of a triangle; u and v are those of the first level. */
 static FX_APART void set_unusual(struct ph_triangle *t, const struct frame *f, const struct ph_vertex *const v[3])
 {
     struct ph_small_map *const map = &t->as.small.of.map;

@@ -13,7 +13,7 @@ PH_TIER(scenery) static inline int fx_clz32(uint32_t v);
 #include "edge.h"
 #include "planes.h"
 
-/* Most tiles lie in one octave: this is apart, and runs from flash. */
+/* ph_octave_of out of line: most tiles lie in one octave, so this is rare and runs from flash. */
 static PH_NOINLINE void nearest_octave(struct ph_octave *o, const struct ph_triangle *t, uint32_t most)
 {
     ph_octave_of(o, t, most, t->as.large.depth.as.plane.gx);

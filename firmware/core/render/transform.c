@@ -77,7 +77,7 @@ static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int3
     return (uint8_t)(at < 0 ? below : at > fx_mul_wide(size * 256, w) ? below * 2 : 0);
 }
 
-/* The same codes of a vertex that is projected. */
+/* Clip codes left, right, top and bottom of a vertex that is projected. */
 PH_TIER(scenery) static uint8_t screen_codes(const struct ph_renderer *r, const struct ph_vertex *v)
 {
     const int32_t right = r->config.width * 256, bottom = r->config.height * 256;
@@ -125,7 +125,8 @@ PH_TIER(mesh) static int64_t rounded_centre(int32_t centre, int down)
     return (int64_t)((uint64_t)((uint32_t)centre << down | (uint32_t)1 << (down - 1)) << 32);
 }
 
-/* False if ph_vertices cannot take any vertex: it needs a perspective whose numbers have their usual size. */
+/* Prepares ph_vertices. False if it cannot take any vertex: it needs a perspective whose numbers have their usual
+ * size. */
 PH_TIER(mesh)
 static bool start_run(struct ph_vertex_run *run, const struct ph_renderer *r, const struct ph_clip_matrix *m)
 {

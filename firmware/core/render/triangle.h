@@ -50,13 +50,14 @@ struct ph_small_triangle {
     uint32_t knee;                   /* PH_KIND_SMALL_KNEE: below it codes are twice as steep as d */
 };
 
-/* A float's 16.16 code: across two octaves it is one plane with a knee, where the far octave begins. */
+/* The 16.16 code of a float. Across two octaves codes are one plane with a knee, where the far octave begins: where d
+ * is below the knee its step is two codes. */
 static inline uint32_t ph_knee_code(uint32_t d, uint32_t knee)
 {
     return d < knee ? 2 * d - knee : d;
 }
 
-/* The lower edge takes over. */
+/* Goes on from the upper rows to the lower ones: the lower edge becomes the left or the right one. */
 static inline void ph_small_lower(struct ph_small_triangle *small)
 {
     uint32_t *const x = small->lower_is_right ? &small->right : &small->left;
@@ -222,7 +223,7 @@ static inline int ph_block_down(int block)
     return 2 + (block >> 6);
 }
 
-/* A d or a gradient of it, rounded so that no bit of it is lost on its way down to codes. */
+/* A depth d or its gradient, rounded so that no bit of it is lost when it is shifted down to codes. */
 static inline uint32_t ph_block_rounded(uint32_t d, int block)
 {
     const int down = ph_block_down(block);

@@ -4,7 +4,7 @@
 
 #include "depth.h"
 
-/* Of a function of render/: keeps rare work out of the registers of what is usual. */
+/* Marks a function for rare work: inlined it would take registers from the common path. */
 #define PH_NOINLINE __attribute__((noinline))
 
 /* Clip codes. LEFT .. FAR: the vertex lies outside that plane. GUARD: it lies outside the guard band. */
@@ -30,7 +30,7 @@ enum {
  * that is at most 1536 px away. Twice a triangle's area is then below 2^42, also if it is half a line, 1 px wide. */
 #define PH_REACH (4095 * 256)
 
-/* It takes 16 bytes, so that an index becomes an address by a shift. */
+/* A vertex after the transform. It takes 16 bytes, so that an index becomes an address by a shift. */
 struct ph_vertex {
     int32_t x, y; /* 1/256 px; not set if code has NEAR or GUARD */
     uint32_t q;   /* depth: struct ph_quotient */

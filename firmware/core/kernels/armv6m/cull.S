@@ -44,7 +44,7 @@
     cmp r1, r8
     .endm
 
-    @ The same divided by 256, rounded down.
+    @ Computes what turn does, divided by 256 and rounded down.
     .macro turn_high
     asrs r2, r5, #8
     uxtb r5, r5

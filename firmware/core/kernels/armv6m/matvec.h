@@ -1,7 +1,7 @@
 /*
  * matvec for ARMv6-M, where a product of 64 bits takes 17 instructions. Elements are split into three digits of 10
  * bits, so that products with positions below 16.0, and sums of three of them, fit 32 bits. For positions within a cube
- * of 1.0 each way two digits of 14 bits do. Both are exact. See portable/matvec.h.
+ * of 1.0 each way two digits of 14 bits are enough. Each way is exact. See portable/matvec.h.
  */
 #ifndef PH_MATVEC_H
 #define PH_MATVEC_H
@@ -22,7 +22,7 @@ struct ph_short_row {
 
 struct ph_matvec {
     uint32_t reach;       /* three digits serve -reach .. reach: 2^20, or 0 if the translation is near its range */
-    uint32_t short_reach; /* the same of two digits: 2^16, or 0 if the elements of a row are too large */
+    uint32_t short_reach; /* two digits serve so far: 2^16, or 0 if the elements of a row are too large */
     struct ph_short_row short_row[3];
     struct ph_row row[3];
 };

@@ -421,7 +421,7 @@ begin:
     movs r3, r2
     movs r5, r0
     movs r2, r7
-    @ Then make r5 the middle and r6 the lowest corner. r12 tells where the first edge is stored (the one that is
+    @ Make r5 the middle and r6 the lowest corner. r12 tells where the first edge is stored (the one that is
     @ not the long one).
 3:  ldr r0, [sp]
     mov r12, r0
@@ -531,7 +531,7 @@ known_sides:
     ldr r4, [r0, #triangle_ramp]
     cmp r4, #0
     beq textured
-    @ The plane of light.
+    @ Compute the plane of light.
     ldrh r4, [r1, #vertex_light]
     ldrh r2, [r2, #vertex_light]
     ldrh r3, [r3, #vertex_light]

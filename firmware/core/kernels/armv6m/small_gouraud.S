@@ -1,6 +1,6 @@
 @ ph_small_gouraud of kernels.h for ARMv6-M; small_knee.S makes ph_small_knee of it,
 @ wide_gouraud.S ph_wide_gouraud. A row takes 35 instructions, a pixel that is drawn 11, a hidden one 6, a
-@ call some 40. Behind its first 1 to 16 pixels a wide row takes 36 instructions for 4 where nothing is drawn yet.
+@ call some 40. After the first 1 to 16 pixels a wide row takes 36 instructions for every 4 that are still empty.
 @
 @ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0; wide: twice the blocks of
 @ 16 pixels that are left, plus 1 if a single pixel follows; r8 gd, r9 glight,

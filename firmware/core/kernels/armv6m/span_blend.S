@@ -38,7 +38,7 @@
     mov r9, r4
     ldr r5, [sp, #36]
     ldr r4, channels
-    @ Of the 4 unrolled pixels only the last k = 1 .. 4 are run at first, so that whole fours are left.
+    @ The first turn runs only the last k = 1 .. 4 of the 4 unrolled pixels, so that whole fours are left.
     subs r2, #1
     movs r6, #3
     ands r6, r2

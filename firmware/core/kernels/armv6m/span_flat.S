@@ -18,7 +18,7 @@
     push {r4-r7, lr}
     ldr r4, [sp, #20]
     ldr r5, [sp, #24]
-    @ Of the 16 unrolled pixels only the last k = 1 .. 16 are run at first, so that whole sixteens are left.
+    @ The first turn runs only the last k = 1 .. 16 of the 16 unrolled pixels, so that whole sixteens are left.
     subs r2, #1
     movs r6, #15
     ands r6, r2

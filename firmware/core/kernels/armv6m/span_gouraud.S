@@ -29,7 +29,7 @@
     mov r9, r4
     ldr r4, [sp, #32]
     ldr r5, [sp, #40]
-    @ Of the 16 unrolled pixels only the last k = 1 .. 16 are run at first, so that whole sixteens are left.
+    @ The first turn runs only the last k = 1 .. 16 of the 16 unrolled pixels, so that whole sixteens are left.
     subs r2, #1
     movs r6, #15
     ands r6, r2

@@ -206,7 +206,7 @@ fields_of_two:
     .word 0x07e0f81f
 fields: @ red, green, blue, each with five spare bits above
     .word 0x03e0fc1f
-wire: @ the same where they lie in a pixel, or 16 bits higher
+wire: @ red, green, blue where they lie in a pixel in wire order, or 16 bits higher
     .word 0x1f07e0f8
 done:
     add sp, #frame

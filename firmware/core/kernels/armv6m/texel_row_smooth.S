@@ -1,4 +1,4 @@
-@ See texel_row.h and texel_smooth.inc.
+@ ph_texel_row_smooth of texel_row.h: bilinear texels as they are. texel_smooth.inc has its loop.
 #include "texel_smooth.inc"
 
     smooth_row ph_texel_row_smooth, 0

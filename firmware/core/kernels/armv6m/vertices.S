@@ -37,7 +37,7 @@
     adds r3, r4
     .endm
 
-    @ The same with a row of two digits.
+    @ r3 = a row of two digits times (r0, r1, r2); see matvec.h. Steps r7 to the next row.
     .macro short_row_times
     ldmia r7!, {r3-r6}
     muls r3, r0
@@ -125,7 +125,7 @@ next:
     mov r12, r3
     short_row_times
 placed:
-    @ Near plane, far plane, guard band.
+    @ Leave if the vertex is outside the near plane, the far plane or the guard band.
     mov r7, r10
     ldr r4, [r7, #run_near]
     ldr r5, [r7, #run_range]
@@ -230,7 +230,7 @@ placed:
     str r1, [r3, #vertex_q]
     str r6, [r3, #vertex_s]
     strb r2, [r3, #vertex_s]
-    @ x / w and y / w, plus the centre.
+    @ The place on the screen: x / w and y / w, plus the centre.
     lsrs r5, #1
     subs r4, #4
     uxth r2, r5

@@ -64,7 +64,7 @@ from_\at:
 1:  b sample_\at
     .endm
 
-    .macro pairs at @ the same for two pixels
+    .macro pairs at @ `pair` for two pixels
 from_\at:
     ldrd r0, r1, [r7, #2 * \at]
     orrs r0, r1

@@ -18,7 +18,7 @@
     edge_from \b
     .endm
 
-    @ The same from a corner whose x and y are in r1 and lr; r2 is set.
+    @ The rest of `edge`, from a corner whose x and y are in r1 and lr; r2 is set.
     .macro edge_from b
     ldrd r3, r10, [\b]
     subs r3, r3, r1
@@ -253,7 +253,7 @@ begin:
     mov r9, r8
     mov r5, r10
     mov r8, r11
-    @ Then make r5 the middle and r6 the lowest corner.
+    @ Make r5 the middle and r6 the lowest corner.
 2:  mov r11, r0
     cmp r8, r9
     ble 3f

@@ -46,7 +46,7 @@ pair_\at:
     add r6, r3, r4
     lsls r4, r4, #1
     and r2, r2, #1
-    @ Of the 8 unrolled pairs only the last k = 1 .. 8 are run at first, so that whole sixteens are left.
+    @ The first turn runs only the last k = 1 .. 8 of the 8 unrolled pairs, so that whole sixteens are left.
     subs r7, #1
     and r12, r7, #7
     lsrs r7, r7, #3
@@ -86,7 +86,7 @@ pixel_\at:
     function ph_span_flat, scenery @ r2: n; stack: gd, colour
     push {r4, r5, lr}
     ldrd r4, r5, [sp, #12]
-    @ Of the 16 unrolled pixels only the last k = 1 .. 16 are run at first, so that whole sixteens are left.
+    @ The first turn runs only the last k = 1 .. 16 of the 16 unrolled pixels, so that whole sixteens are left.
     subs r2, #1
     and r12, r2, #15
     lsr r2, r2, #4

@@ -21,7 +21,7 @@ pixel_\at:
     push {r4-r8, lr}
     ldrd r4, r5, [sp, #24]
     ldrd r6, r7, [sp, #32]
-    @ Of the 16 unrolled pixels only the last k = 1 .. 16 are run at first, so that whole sixteens are left.
+    @ The first turn runs only the last k = 1 .. 16 of the 16 unrolled pixels, so that whole sixteens are left.
     subs r2, #1
     and r12, r2, #15
     lsr r2, r2, #4

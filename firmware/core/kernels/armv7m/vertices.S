@@ -39,7 +39,7 @@ next:
     smlal r6, r9, r10, r3
     smlal r6, r9, r11, r4
     smlal r6, r9, lr, r5
-    @ Near plane, far plane, guard band.
+    @ Leave if the vertex is outside the near plane, the far plane or the guard band.
     ldrd r3, r4, [r0, #run_near]
     subs r3, r9, r3
     cmp r3, r4
@@ -73,7 +73,7 @@ next:
     rsb r6, r6, #0
     it cs
     subcs r5, r5, r6, lsr #31
-    @ x / w and y / w, plus the centre.
+    @ The place on the screen: x / w and y / w, plus the centre.
     subs r4, r3, #4
     lsls r7, r4
     lsl r8, r8, r4
@@ -85,7 +85,7 @@ next:
     ldr r4, [r0, #run_down]
     asr r8, r11, r4
     asr r9, r12, r4
-    @ Depth: q, with its upper bit at 30.
+    @ Store the depth q, with its upper bit at 30.
     ldrd r6, r7, [r0, #run_depth_scale]
     umull r6, r10, r6, r5
     subs r7, r3

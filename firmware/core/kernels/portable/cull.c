@@ -5,7 +5,7 @@
 
 enum answer { PASS, LIST, LOOK };
 
-/* What to do with a triangle whose corners have no clip codes. */
+/* Decides what to do with a triangle whose corners have no clip codes. */
 static inline enum answer judge(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c,
                                 int32_t *row)
 {

@@ -4,7 +4,8 @@
 
 #include "vertex.h"
 
-/* The far plane in units of 2^-(30 + s), s being the exponent of a vertex. That of the far plane is the largest. */
+/* The far plane in units of 2^-(30 + s), where s is the exponent of a vertex. The far plane has the largest
+ * exponent. */
 static inline uint32_t far_at(const struct ph_lens *lens, int s)
 {
     return lens->far_q >> ((lens->far_s - s) & 31);

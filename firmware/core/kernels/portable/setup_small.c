@@ -32,7 +32,7 @@ static inline void set_light(struct ph_triangle *t, const struct ph_slopes *slop
     t->as.small.rows.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
 }
 
-/* False if depth is too steep or the triangle too thin: then it is not set. */
+/* Sets the planes of depth and light. False if depth is too steep or the triangle too thin: then depth is not set. */
 static inline bool set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                               const uint32_t d[3])
 {
@@ -59,7 +59,7 @@ static inline void set_edge(const struct ph_vertex *a, const struct ph_vertex *b
     *edge = ph_short_edge(a, b->x - a->x, b->y - a->y, row, row);
 }
 
-/* Both functions have it inlined: what the one knows of a triangle stays in registers. */
+/* Inlined into both callers, so that values they have computed stay in registers. */
 static inline __attribute__((always_inline)) enum ph_small_setup setup_small(struct ph_triangle *t,
                                                                              const struct ph_vertex *const v[3],
                                                                              const struct ph_sides *sides,
@@ -95,7 +95,7 @@ enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex
     return setup_small(t, v, sides, d);
 }
 
-/* Codes of fixed16. False if two are 2^31 apart. */
+/* Finds the codes of fixed16 of the corners. False if two are 2^31 apart. */
 static inline bool fixed_depths(uint32_t bias, const struct ph_vertex *const v[3], uint32_t d[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -104,7 +104,7 @@ static inline bool fixed_depths(uint32_t bias, const struct ph_vertex *const v[3
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
 
-/* Without a call for most triangles. */
+/* Finds the depth of the corners, without a call for most triangles. */
 static inline bool usual_depths(const struct ph_usual *usual, const struct ph_vertex *const v[3], uint32_t d[3])
 {
     if (usual->lens == NULL) {
@@ -121,7 +121,8 @@ static inline bool is_off_borders(const struct ph_usual *usual, const struct ph_
            (uint32_t)v->y - 256 <= usual->inner_y + 2 * usual->side;
 }
 
-/* Whether all do, if the sides are below usual->side. Mostly the first corner tells: see inner() in frame.c. */
+/* Whether all corners keep a pixel away from the borders, if the sides are below usual->side. Mostly the first corner
+ * tells: see inner() in frame.c. */
 static inline bool is_inside(const struct ph_usual *usual, const struct ph_vertex *const v[3])
 {
     const uint32_t margin = usual->margin;

@@ -7,7 +7,8 @@
 
 #define PH_TEXTURE_KNEE 0
 
-/* ph_texture_small for codes with a knee, which is above 0: see ph_knee_code. What others are compared with. */
+/* ph_texture_small for codes with a knee, which is above 0: see ph_knee_code. Other CPUs' functions are compared with
+ * this one. */
 static inline uint32_t ph_texture_knee(struct ph_texel_run *r, uint32_t knee)
 {
     return ph_texture_small_rows(r, knee);

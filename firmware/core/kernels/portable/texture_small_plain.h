@@ -37,8 +37,8 @@ static inline uint32_t ph_knee_pixels(uint32_t d, uint32_t gd, uint32_t n, uint3
     return count;
 }
 
-/* The same for a row whose depth has a knee. Where it crosses the knee, it is drawn in two pieces, as it is where rows
- * are split. */
+/* Draws n pixels of a row whose depth has a knee. Where it crosses the knee, it is drawn in two pieces, as
+ * ph_draw_rows_split does. */
 static inline void ph_draw_knee_line(const struct ph_texel_run *r, uint32_t from, uint32_t n, uint32_t knee)
 {
     for (uint32_t left = n, x = from, part; left > 0; left -= part, x += part) {

@@ -24,7 +24,7 @@
     add t5, t5, a1
     .endm
 
-    /* Goes to `found` if they run counter-clockwise; t6 is then y of a. */
+    /* Goes to `found` if the corners run counter-clockwise; t6 is then y of a. */
     .macro turn
     lw t6, 0(t3)
     lw s0, 0(t4)

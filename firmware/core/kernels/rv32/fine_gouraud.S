@@ -16,7 +16,7 @@
 #define TRIANGLE 56 // on the stack; 0 when the lower edge has taken over
 #define SAVED ra, s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11
 
-    /* A sample; d and light stay. If depth and pixels are one register, it is depth before and pixels behind. */
+    /* Draws a sample; d and light stay. If depth and pixels are one register, it is depth before and pixels behind. */
     .macro sample at, depth, pixels, code
     lhu t0, \at(\depth)
     srli \code, t3, 16
@@ -37,8 +37,8 @@
     add t4, t4, s5
     .endm
 
-    /* Both samples of a pixel, where nothing is drawn yet: 40 bytes. The word of depth is d at the second sample, whose
-     * code is the upper half; that of the first one takes the place of the lower half. */
+    /* Draws the two samples of a pixel where nothing is drawn yet, in 40 bytes. The word of depth is d at the second
+     * sample, whose code is the upper half; that of the first one takes the place of the lower half. */
     .macro fresh at, depth, pixels
     srli t0, t3, 16
     add t3, t3, s4
@@ -55,7 +55,7 @@
     add t4, t4, s5
     .endm
 
-    /* 48 bytes. No code is 0: where both depths are 0, both samples are drawn. */
+    /* Draws the two samples of a pixel, in 48 bytes. No code is 0: where both depths are 0, both samples are drawn. */
     .macro pixel at
     lw t0, 4 * \at - 64(t5)
     bnez t0, samples_\at

@@ -37,7 +37,7 @@
     add ra, ra, s0
     .endm
 
-    /* v without its sign. */
+    /* The magnitude of v. */
     .macro magnitude to, v
     srai \to, \v, 31
     xor \to, \to, \v
@@ -266,7 +266,7 @@ begin:
     mv t3, t5
     mv t5, t4
     mv t4, t6
-    // Then make t1 the middle and t2 the lowest corner.
+    // Make t1 the middle and t2 the lowest corner.
 3:  mv a7, a0
     ble t4, t5, 4f
     mv t6, t1
@@ -335,7 +335,7 @@ planes:
     addi s0, s0, 128
     addi s1, s1, 128 // s0, s1: from the first corner to column 0 of the first row
     beqz t1, textured
-    // The plane of light.
+    // Compute the plane of light.
     lhu t0, vertex_light(a3)
     lhu t1, vertex_light(a4)
     lhu t2, vertex_light(a5)

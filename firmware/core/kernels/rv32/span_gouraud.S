@@ -19,7 +19,7 @@
     .endm
 
     function ph_span_gouraud, scenery // a2: pixels
-    // Of the 16 unrolled pixels only the last 1 .. 16 are run at first, so that whole sixteens are left.
+    // The first turn runs only the last 1 .. 16 of the 16 unrolled pixels, so that whole sixteens are left.
     addi t0, a2, -1
     slli a2, a2, 1
     add a2, a2, a1

@@ -22,7 +22,7 @@
     add \value, \value, \at
     .endm
 
-    /* at, step, at_dy of the next row. */
+    /* Steps the coefficients at, step and at_dy of u or v to the next row. */
     .macro down way, at, step, at_dy
     lw t0, \way + 12(a0)
     lw t1, \way + 16(a0)

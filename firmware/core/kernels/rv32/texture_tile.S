@@ -12,7 +12,7 @@
 
 #define SAVED ra, s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11
 
-    /* The value at column i. */
+    /* The value of u or v at column i. */
     .macro value to, i, at, step, bend
     mul \to, \bend, \i
     add \to, \to, \step
@@ -20,7 +20,7 @@
     add \to, \to, \at
     .endm
 
-    /* at, step, bend, at_dy of the next row; step_dy stays in memory. */
+    /* Steps the coefficients at, step, bend and at_dy of u or v to the next row; step_dy stays in memory. */
     .macro down way, at, step, bend, at_dy
     words lw, a0, \way + 16, t0, t1, t3, t4
     add \at, \at, \at_dy

@@ -68,7 +68,7 @@ next:
     row_high t3, s0, s1, s2, a4
     row_high t4, s3, s4, s5, a5
     row_high t5, s6, s7, s8, a6
-    // Near plane, far plane, guard band.
+    // Leave if the vertex is outside the near plane, the far plane or the guard band.
     words lw, a0, run_near, t0, t1
     sub t0, t5, t0
     bgtu t0, t1, hand_back
@@ -105,7 +105,7 @@ next:
     neg t2, t2
     srli t2, t2, 31
     sub t1, t1, t2
-    // x / w and y / w, plus the centre: the low words of round_x and round_y are 0.
+    // The place on the screen, x / w and y / w plus the centre: the low words of round_x and round_y are 0.
 1:  addi t2, t0, -4
     sll t3, t3, t2
     sll t4, t4, t2
@@ -119,7 +119,7 @@ next:
     add t4, t4, t6
     sra t3, t3, t2
     sra t4, t4, t2
-    // Depth: q, with its upper bit at 30.
+    // Store the depth q, with its upper bit at 30.
     words lw, a0, run_depth_scale, t5, t6
     mulhu t5, t5, t1
     sub t6, t6, t0

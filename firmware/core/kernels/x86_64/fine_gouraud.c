@@ -6,7 +6,7 @@
 
 typedef int __attribute__((may_alias)) two_samples;
 
-/* What all rows have in common. A step is that of depth in word 0 and that of light in word 2. */
+/* What all rows of a triangle have in common. Each step has that of depth in word 0 and that of light in word 2. */
 struct fine {
     const uint16_t *ramp;
     ptrdiff_t to_pixels;      /* from a depth to its pixel, in bytes */
@@ -15,7 +15,7 @@ struct fine {
     __m128i d_four;           /* the step of 4 samples, in all words */
 };
 
-/* Of 1, 2 or 4 pixels, which is a constant. */
+/* Loads the samples of 1, 2 or 4 pixels; `pixels` is a constant. */
 static inline __attribute__((always_inline)) __m128i load(const uint16_t *from, int pixels)
 {
     return pixels == 1   ? _mm_cvtsi32_si128(*(const two_samples *)(const void *)from)
@@ -34,7 +34,7 @@ static inline __attribute__((always_inline)) void store(uint16_t *to, __m128i sa
     }
 }
 
-/* The colours of their samples, by the top 7 bits of each pixel's light. */
+/* The colours of the samples of 4 pixels, by the top 7 bits of each pixel's light. */
 static inline __attribute__((always_inline)) __m128i colours(__m128i light, const uint16_t *ramp, int pixels)
 {
     const __m128i entry = _mm_srli_epi32(light, 25);
@@ -45,7 +45,7 @@ static inline __attribute__((always_inline)) __m128i colours(__m128i light, cons
     return _mm_unpacklo_epi16(c, c);
 }
 
-/* Draws them; at: that of the first sample. */
+/* Draws the samples of 1, 2 or 4 pixels; at: depth and light of the first sample. */
 static inline __attribute__((always_inline)) void draw(const struct fine *f, uint16_t *depth, __m128i at, int pixels)
 {
     const __m128i d = _mm_add_epi32(_mm_shuffle_epi32(at, 0), f->d);
@@ -74,7 +74,7 @@ static inline void draw_one(const struct fine *f, uint16_t *depth, __m128i at)
     }
 }
 
-/* Draws the samples from .. to - 1 of a row; at: that of the first sample of the first pixel. */
+/* Draws the samples from .. to - 1 of a row; at: depth and light of the first sample of the first pixel. */
 static inline void draw_row(const struct fine *f, uint16_t *depth, uint32_t from, uint32_t to, __m128i at,
                             __m128i sample)
 {

@@ -13,13 +13,13 @@ struct steps8 {
     __m128i first, four, eight;
 };
 
-/* What all rows have in common. */
+/* What all rows of a triangle have in common. */
 struct gouraud8 {
     struct small_rows one; /* at a time */
     struct steps8 d, light;
 };
 
-/* step: of a pixel, in all words. */
+/* The multiples of a step; step: that of a pixel, in all words. */
 static inline struct steps8 steps8_of(__m128i step)
 {
     const __m128i two = _mm_add_epi32(step, step), four = _mm_add_epi32(two, two);
@@ -52,7 +52,7 @@ static inline __m128i colours8(__m128i any, __m128i light, __m128i light_high, c
     return _mm_insert_epi16(colours, ramp[_mm_extract_epi16(high, 6)], 7);
 }
 
-/* d and light: those of the first 4 pixels. */
+/* Draws 8 pixels; d and light: those of the first 4. */
 static inline void gouraud8_draw(const struct gouraud8 *g, uint16_t *depth, __m128i d, __m128i light)
 {
     struct depths8 depths = {d, _mm_add_epi32(d, g->d.four)};
@@ -73,7 +73,7 @@ static inline void gouraud8_draw(const struct gouraud8 *g, uint16_t *depth, __m1
         at = small_pixel(&g->one, depth - (k), at);                                                                    \
         __attribute__((fallthrough));
 
-/* Draws the n >= 1 pixels before `end`; at is that of the pixel before them, as in small_rows.h. */
+/* Draws the n >= 1 pixels before `end`; `at` has depth and light of the pixel before them, as in small_rows.h. */
 static inline __attribute__((always_inline)) void gouraud8_row(const struct gouraud8 *g, uint16_t *end, uint32_t n,
                                                                __m128i at)
 {

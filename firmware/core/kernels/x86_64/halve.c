@@ -17,7 +17,7 @@ static inline struct pairs8 pairs8_of(__m128i low, __m128i high)
         _mm_packs_epi32(_mm_srai_epi32(low, 16), _mm_srai_epi32(high, 16))};
 }
 
-/* The sums of what a mask leaves of the four samples of each pixel. */
+/* The sums of the four samples of each pixel, after a mask has cut out channels. */
 static inline __m128i sums_of(const struct pairs8 *upper, const struct pairs8 *lower, __m128i mask)
 {
     return _mm_add_epi16(_mm_add_epi16(_mm_and_si128(upper->first, mask), _mm_and_si128(upper->second, mask)),

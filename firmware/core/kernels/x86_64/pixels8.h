@@ -10,7 +10,7 @@ struct depths8 {
     __m128i low, high;
 };
 
-/* d, d + gd, .. d + 7 gd. */
+/* The depths d, d + gd, .. d + 7 gd of 8 pixels. */
 static inline struct depths8 depths8_from(uint32_t d, uint32_t gd)
 {
     const __m128i four = _mm_setr_epi32((int)d, (int)(d + gd), (int)(d + 2 * gd), (int)(d + 3 * gd));
@@ -23,7 +23,7 @@ static inline void depths8_add(struct depths8 *d, __m128i step)
     d->high = _mm_add_epi32(d->high, step);
 }
 
-/* The codes of all 8: the upper halves. */
+/* The codes of 8 pixels: the upper halves of their depths. */
 static inline __m128i depths8_codes(const struct depths8 *d)
 {
     return _mm_packs_epi32(_mm_srai_epi32(d->low, 16), _mm_srai_epi32(d->high, 16));

@@ -44,7 +44,7 @@ static inline __m128i small_pixel(const struct small_rows *rows, uint16_t *depth
     SMALL_PIXEL(k)
 #define SMALL_FOUR(k) SMALL_NEXT(k) SMALL_NEXT((k)-1) SMALL_NEXT((k)-2) SMALL_NEXT((k)-3)
 
-/* Draws the n = 1 .. PH_SMALL_COLUMNS pixels before `end`; at is that of the pixel before them. */
+/* Draws the n = 1 .. PH_SMALL_COLUMNS pixels before `end`; `at` has depth and light of the pixel before them. */
 static inline void small_row(const struct small_rows *rows, uint16_t *end, uint32_t n, __m128i at)
 {
     switch (n) {
@@ -74,8 +74,8 @@ static inline __m128i small_below(__m128i of_edges, uint32_t side, int32_t lower
     return _mm_loadu_si128((const __m128i *)word);
 }
 
-/* Behind the upper rows the lower edge takes over; `left` rows are left then. False: there are no lower rows, or they
- * have been. */
+/* After the upper rows the lower edge takes over; `left` rows are left then. False: there are no lower rows, or they
+ * have been drawn. */
 static inline __attribute__((always_inline)) bool small_turn(const struct ph_small_triangle *small, __m128i *row,
                                                              __m128i *down, uint32_t *left, uint32_t *lower_rows)
 {

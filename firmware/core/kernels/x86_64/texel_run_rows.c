@@ -8,7 +8,7 @@
 /* Red, green and blue of a texel that stands in a word twice, each with five spare bits above, 3 bits up. */
 #define FIELDS (PH_MIX_FIELDS << 3)
 
-/* What all rows have in common. The compiler must not know `twice`, as in texels2_common_of. */
+/* What all rows of a triangle have in common. The compiler must not know `twice`, as in texels2_common_of. */
 struct lit_texels {
     struct texels2_common all;
     uint64_t twice;

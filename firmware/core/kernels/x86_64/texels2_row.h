@@ -7,7 +7,7 @@
 
 #include "texels2.h"
 
-/* What all rows have in common. */
+/* What all rows of a triangle or a tile have in common. */
 struct texels2_common {
     uint64_t mask, u_to_v, bend; /* bend: of a pair of pixels */
     uint64_t pair_bend[2];       /* what the first step of a row of even, of odd length has more */
@@ -16,8 +16,8 @@ struct texels2_common {
     __m128i gd;          /* in word 0 */
 };
 
-/* bend: of u and v in one word. The compiler must not know u_to_v: it would take several instructions in place of the
- * product. */
+/* Fills in struct texels2_common; bend: those of u and v in one word. The compiler must not know u_to_v: it would take
+ * several instructions in place of the product. */
 static inline struct texels2_common texels2_common_of(const uint16_t *texels, uint32_t u_mask, uint32_t v_mask,
                                                       const uint16_t *depth, const uint16_t *pixels, uint32_t gd,
                                                       uint64_t bend)

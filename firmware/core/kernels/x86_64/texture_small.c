@@ -16,7 +16,7 @@ static inline __attribute__((always_inline)) void draw_line(const struct texels2
     texels2_row(t, depth + from + n, (uint64_t)n, &w);
 }
 
-/* The same for a row whose depth has a knee, in one or two pieces; gd: in codes above the knee. */
+/* Draws n pixels of a row whose depth has a knee, in one or two pieces; gd: in codes above the knee. */
 static inline __attribute__((always_inline)) void draw_knee_line(struct texels2_common *t,
                                                                  const struct texels2_lines *l, uint16_t *depth,
                                                                  int64_t from, int64_t n, uint32_t d, uint32_t gd,
@@ -30,7 +30,7 @@ static inline __attribute__((always_inline)) void draw_knee_line(struct texels2_
     }
 }
 
-/* knee: a constant 0 if there is none. */
+/* Draws the rows of a triangle; knee: a constant 0 if there is none. */
 static inline __attribute__((always_inline)) uint32_t draw(struct ph_texel_run *r, uint32_t knee)
 {
     if (!texels2_fit(r)) {
