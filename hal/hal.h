@@ -73,7 +73,8 @@ struct hal_ops {
      */
     int (*bus_write)(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n);
 
-    /* As bus_write for data: `rows` times n bytes, each `stride` bytes after the last. NULL: use bus_write for each. */
+    /* Writes data as bus_write does: `rows` times n bytes, each `stride` bytes after the last. NULL: use bus_write for
+     * each. */
     int (*bus_write_rows)(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows);
 
     /*
@@ -86,8 +87,9 @@ struct hal_ops {
     int (*bus_until)(void *context, uint32_t written); /* waits until the bus has come so far */
 
     /*
-     * Not NULL: bus_write copies, and keeps bytes back to make its transfers as long as it can. bus_flush lets go what
-     * is there, and does not wait; so do bus_wait and a write with another D/C. NULL: bus_write keeps nothing back.
+     * Sends what bus_write keeps back, and does not wait; so do bus_wait and a write with another D/C. With it
+     * bus_write copies, and keeps bytes back to make its transfers as long as it can. NULL: bus_write keeps nothing
+     * back.
      */
     void (*bus_flush)(void *context);
 

@@ -92,8 +92,8 @@ struct panel_place {
 };
 
 /*
- * The one rule: cx = MX ? ram_width - width - x0 : x0, cy likewise with MY, swapped where the window turns (MV).
- * rotation: enum panel_rotation.
+ * Finds where a panel lies in its controller's memory: cx = MX ? ram_width - width - x0 : x0, and cy with MY in the
+ * same way, swapped where the window turns (MV). rotation: enum panel_rotation.
  */
 struct panel_place panel_place(const struct panel *panel, unsigned rotation);
 
@@ -205,7 +205,7 @@ struct panel_sender_ops {
     bool copies; /* the pixels are the caller's again when rows returns; else as with panel_rows */
     bool skips;  /* rows may send nothing: only a backend's queue (hal.h) then says when a buffer is free */
 
-    /* These replace panel_frame_begin, panel_rows and panel_frame_end. */
+    /* begin, rows and end replace panel_frame_begin, panel_rows and panel_frame_end. */
     int (*begin)(void *context, struct panel_driver *d);
     int (*rows)(void *context, struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
     int (*end)(void *context, struct panel_driver *d);

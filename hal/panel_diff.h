@@ -78,7 +78,7 @@ int panel_diff_rows(struct panel_diff *diff, struct panel_driver *d, const uint1
 
 int panel_diff_end(struct panel_diff *diff, struct panel_driver *d);
 
-/* These three as a panel_sender. */
+/* A panel_sender that sends by panel_diff_begin, panel_diff_rows and panel_diff_end. */
 struct panel_sender panel_diff_sender(struct panel_diff *diff);
 
 #endif

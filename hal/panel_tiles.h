@@ -70,7 +70,7 @@ int panel_tiles_rows(struct panel_tiles *t, struct panel_driver *d, const uint16
 
 int panel_tiles_end(struct panel_tiles *t, struct panel_driver *d);
 
-/* These three as a panel_sender. */
+/* A panel_sender that sends by panel_tiles_begin, panel_tiles_rows and panel_tiles_end. */
 struct panel_sender panel_tiles_sender(struct panel_tiles *t);
 
 #endif

@@ -23,7 +23,7 @@ if ! [[ $SHARE =~ ^[1-9][0-9]*/[1-9][0-9]*$ ]] || [ "${SHARE%/*}" -gt "${SHARE#*
     echo "$0: SHARE=$SHARE: K/N with K from 1 to N" >&2 && exit 2
 fi
 
-# Too slow for `check`, and under sanitizers for `test`, by the processor time that they took.
+# Tests that are too slow for `check`, and under sanitizers for `test`, by the processor time that they took.
 slow_units='test_panel_diff test_ft232h test_runner test_quality'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.
@@ -145,7 +145,7 @@ list() {
     esac
 }
 
-# Of the jobs those of this share. A test that knows SHARE takes its own share of what it looks at.
+# Prints the jobs of this share. A test that knows SHARE takes its own share of what it looks at.
 shared() {
     local line i=0 source
     while read -r line; do
@@ -168,7 +168,7 @@ through_ccache() {
     export PATH CCACHE_PATH CCACHE_DIR
 }
 
-# Those in $first in its order, then the others as they come.
+# Sorts jobs: those in $first in its order, then the others as they come.
 longest_first() { awk -v first="$first" 'BEGIN { n = split(first, name, /[ \n]+/); for (i = 1; i <= n; i++) { rank[name[i]] = i } }
     { print ($1 in rank ? rank[$1] : n + 1), NR, $0 }' | sort -n -k1,1 -k2,2 | cut -d' ' -f3-; }
 

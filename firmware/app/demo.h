@@ -76,7 +76,7 @@ struct demo {
      * material, texture or context that they use. */
     int (*frame)(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
 
-    /* As ph_draw_band, which NULL stands for. Call it through demo_draw_band(). */
+    /* Draws a band as ph_draw_band does; NULL: ph_draw_band. Call it through demo_draw_band(). */
     uint32_t (*band)(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 };
 

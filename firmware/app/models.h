@@ -47,7 +47,7 @@ int model_cube(struct demo_arena *arena, struct ph_mesh *mesh);
 #define MODEL_GROUND_TRIANGLES(cells) (2 * (cells) * (cells))
 int model_ground(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t cells);
 
-/* The same ground with straight normals; its squares alternate between materials 0 and 1. */
+/* A ground of cells x cells squares with straight normals; its squares alternate between materials 0 and 1. */
 #define MODEL_FLOOR_BYTES(cells)                                                                                       \
     (MODEL_BYTES(MODEL_GROUND_VERTICES(cells), MODEL_GROUND_TRIANGLES(cells)) +                                        \
      MODEL_ROUND8(2 * sizeof(struct ph_part)))
@@ -73,8 +73,8 @@ struct model_point {
 int model_lathe(struct demo_arena *arena, struct ph_mesh *mesh, const struct model_point *profile, uint32_t points,
                 uint32_t sides, uint32_t stripes, const struct ph_material *materials);
 
-/* Only the first `seen` (1 .. sides - 1) sides of it, which begin at +x and go on over -z, in one material (not
- * copied). */
+/* The first `seen` (1 .. sides - 1) sides of a lathe's surface, which begin at +x and go on over -z, in one material
+ * (not copied). */
 #define MODEL_LATHE_ARC_VERTICES(seen, points) (((seen) + 1) * (points))
 #define MODEL_LATHE_ARC_BYTES(seen, points)                                                                            \
     (MODEL_BYTES(MODEL_LATHE_ARC_VERTICES(seen, points), 2 * (seen) * ((points)-1)) +                                  \

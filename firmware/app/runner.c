@@ -6,7 +6,7 @@
 
 #define TE_WAIT_US 50000 /* for the tearing-effect edge: three frames of the slowest panel */
 
-/* Below so many vertices the other core earns less than it takes to prepare it. */
+/* With fewer vertices than these the other core earns less than it takes to prepare it. */
 #define AHEAD_LEAST 32
 
 /* ---- opening ------------------------------------------------------------------------------------ */

@@ -9,7 +9,7 @@
 #define JOINTS_MAX  256u
 #define TARGETS_MAX 256u
 
-/* They lie in the scene as they are in memory. */
+/* The structs of motion.h lie in a scene as they are in memory. */
 _Static_assert(sizeof(struct ph_rig_node) == 44, "a node has another size in a binary scene");
 _Static_assert(sizeof(struct ph_xform) == 48, "a matrix has another size in a binary scene");
 _Static_assert(sizeof(struct ph_influence) == 12, "an influence has another size in a binary scene");

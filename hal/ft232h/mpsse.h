@@ -13,7 +13,7 @@
 enum {
     MPSSE_SET_LOW = 0x80, /* levels, then directions (1: output) of AD0 .. AD7 */
     MPSSE_GET_LOW = 0x81,
-    MPSSE_SET_HIGH = 0x82, /* the same for AC0 .. AC7 */
+    MPSSE_SET_HIGH = 0x82, /* levels, then directions, of AC0 .. AC7 */
     MPSSE_GET_HIGH = 0x83,
     MPSSE_LOOPBACK_OFF = 0x85,
     MPSSE_DIVISOR = 0x86, /* low byte, high byte */

@@ -565,7 +565,7 @@ int panel_diff_end(struct panel_diff *diff, struct panel_driver *d)
     return HAL_OK;
 }
 
-/* ---- panel_sender.h ----------------------------------------------------------------------------- */
+/* ---- as a sender -------------------------------------------------------------------------------- */
 
 static int sender_begin(void *diff, struct panel_driver *d)
 {

@@ -8,7 +8,7 @@ enum {
     WATCHED = 0,
     NEARLY_ALL = 255, /* signatures are compared, and nearly all tiles changed last time */
     REST_FRAMES = 16, /* frames in which a band is sent whole; signatures are made in the last of them, at 1 */
-    SLOW_REST = 100,  /* the same for all bands, where signatures cost more than they save */
+    SLOW_REST = 100,  /* as REST_FRAMES, for all bands, where signatures cost more than they save */
 };
 
 /* Above this share, sending the other tiles costs less than making signatures. */
@@ -257,7 +257,7 @@ int panel_tiles_end(struct panel_tiles *t, struct panel_driver *d)
     return t->row == t->height ? HAL_OK : HAL_EINVAL;
 }
 
-/* ---- panel_sender.h ----------------------------------------------------------------------------- */
+/* ---- as a sender -------------------------------------------------------------------------------- */
 
 static int sender_begin(void *tiles, struct panel_driver *d)
 {

@@ -4,7 +4,7 @@
  */
 #include "panels.h"
 
-/* Both controllers: AFh turns the display on, AEh puts it to sleep. */
+/* SSD1351 and SSD0323: AFh turns the display on, AEh puts it to sleep. */
 static const uint8_t ssd_on[] = {0xAF, 0};
 static const uint8_t ssd_off[] = {0xAE, 0};
 
@@ -68,7 +68,7 @@ static const struct panel_controller ssd0323 = {
     .init_hz = 1000000,
     .write_hz = 4000000,    /* AC characteristics, 4-wire serial: tcycle 250 ns */
     .reset_low_us = 100,    /* power-on sequence: 3 us */
-    .reset_high_us = 10000, /* 3 us; see above */
+    .reset_high_us = 10000, /* power-on sequence: 3 us */
     .set_column = 0x15,     /* command table: pairs of pixels, 0 .. 63 */
     .set_row = 0x75,        /* 0 .. 79 */
     .memory_write = 0,      /* data needs no command before it */

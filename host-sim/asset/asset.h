@@ -64,7 +64,7 @@ int asset_measure(struct asset *asset, const struct board *board);
 /* Returns the first board whose glass has the size of board number `board`: the list is as long there. */
 uint32_t asset_first_glass(uint32_t board);
 
-/* Its context->state must be &asset->model. */
+/* The asset as a demo, whose context->state must be &asset->model. */
 struct demo asset_demo(const struct asset *asset);
 
 /* The memory that the board needs to draw the whole scene, as C or as a binary scene, whose tables lie in RAM; and for
@@ -85,14 +85,14 @@ struct asset_sizes {
 struct asset_sizes asset_sizes(const struct asset *asset);
 uint64_t asset_flash_bytes(const struct asset *asset);
 
-/* Bytes of its textures if no side were longer than 2^log2_max. */
+/* Bytes of the asset's textures if no side were longer than 2^log2_max. */
 uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max);
 
 /* Returns the first mesh that has the same texture or blend. */
 uint32_t asset_first_texture(const struct model *model, uint32_t mesh);
 uint32_t asset_first_blend(const struct model *model, uint32_t mesh);
 
-/* The same for the skin of the mesh number i that moves. */
+/* Returns the first mesh that moves with the same skin as number i of them. */
 uint32_t asset_first_skin(const struct animation *animation, uint32_t i);
 
 /* How many numbers a track's keys have. */

@@ -23,7 +23,7 @@ bool asset_triangles_named(const char *text, struct asset_goal *goal);
  * the room. asset_free() it in any case. */
 int asset_fit(struct asset *asset, const struct model *model, const struct asset_goal *goal);
 
-/* Its two steps: the first makes the asset, whether it fits or not; the second says so, or refuses it. */
+/* The two steps of asset_fit: the first makes the asset, whether it fits or not; the second says so, or refuses it. */
 int asset_fit_make(struct asset *asset, const struct model *model, const struct asset_goal *goal);
 int asset_fit_check(const struct asset *asset, const struct model *model, const struct asset_goal *goal);
 

@@ -93,7 +93,8 @@ static uint32_t write_motion(struct writer *to, const struct model_motion *motio
     return append(to, &m, sizeof m);
 }
 
-/* Of meshes with one skin its data are written once; skins: where those of each mesh that moves are. */
+/* Writes what moves a mesh. A skin that several meshes share is written once; skins: where the data of each mesh that
+ * moves are. */
 static uint32_t write_moving(struct writer *to, const struct animation *a, uint32_t i, struct scene_file_moving *skins)
 {
     const struct animation_mesh *from = &a->meshes[i];

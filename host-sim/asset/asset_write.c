@@ -95,7 +95,7 @@ static void put_colours(FILE *file, const char *name, uint32_t m, const uint16_t
     fputs("\n};\n", file);
 }
 
-/* Its name is texture_m or alphas_m. */
+/* Writes a texture as a struct, which is called texture_m or alphas_m. */
 static void put_texture(FILE *file, const char *name, const struct ph_texture *t, uint32_t m)
 {
     static const char *const filters[] = {"PH_FILTER_NEAREST", "PH_FILTER_BILINEAR", "PH_FILTER_MIPMAP"};

@@ -11,7 +11,7 @@
 /* Returns -errno, or HAL_EIO when errno is 0. */
 int file_save_status(void);
 
-/* write puts the whole content there. Both return 0 or a negative errno value. */
+/* Saves a file: write puts the whole content there. file_save and write return 0 or a negative errno value. */
 int file_save(const char *path, int (*write)(FILE *file, const void *context), const void *context);
 
 /* Saves n bytes. 0 or COMPLAINED. */

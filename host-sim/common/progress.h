@@ -15,7 +15,7 @@
 /* complain_begin() says by this which program writes; the text must stay. */
 void progress_begin(const char *program);
 
-/* So much of the work is done; done >= total: it is over, and the bar goes away. */
+/* Shows how much of the work is done; done >= total: it is over, and the bar goes away. */
 void progress_show(const char *what, uint64_t done, uint64_t total);
 
 /* Takes the bar away, so that a message has the line for itself. */

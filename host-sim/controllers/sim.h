@@ -5,7 +5,7 @@
  *   struct sim *sim = sim_open(board, &hal);          power on; the kit is open
  *   panel_open(&driver, &hal, &config); ...           the driver as on a real kit
  *   sim_pixels(sim, rotation, rgb);                   what a user sees
- *   sim_complaint_count(sim), sim_complaint(sim, i)   what a real panel would have resented
+ *   sim_complaint_count(sim), sim_complaint(sim, i)   what a real controller would have rejected
  *   sim_close(sim);
  *
  * The models decode the bytes as the datasheets say and know nothing of the driver's tables: of the board only the

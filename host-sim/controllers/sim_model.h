@@ -59,7 +59,7 @@ struct sim_dbi {
     bool sleeping, on, inverted;
     uint8_t madctl, format;
     bool low_byte_first; /* ST7789 RAMCTRL */
-    uint8_t epf;         /* likewise: where the lowest bit of red and blue comes from */
+    uint8_t epf;         /* ST7789 RAMCTRL: where the lowest bit of red and blue comes from */
     uint8_t lcm;         /* ST7789 LCMCTRL: what it turns over against the way a glass is bonded */
     uint8_t scan;        /* GS 40h, SS 20h of the display function control; ST7789: GS of GATECTRL */
     bool black;          /* ILI9341 DISCTRL: driven as if the liquid crystal were normally black */

@@ -67,7 +67,7 @@ void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double
 /* The depth step at distance z that the format's definition gives. */
 double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, double z);
 
-/* The same under a parallel projection. */
+/* The depth step at distance z under a parallel projection. */
 double depth_step_parallel_m(enum ph_depth_format format, const struct depth_lab *lab, double z);
 
 /* The code at distance z by the definition in depth.h, before it becomes a whole number; a larger code is nearer. */
@@ -79,14 +79,14 @@ double depth_distance_of(enum ph_depth_format format, const struct depth_lab *la
 /* The code for a d = N/w - N/f, in a float format. */
 double depth_code_of_float(enum ph_depth_format format, const struct depth_lab *lab, double d);
 
-/* sqrt(2) 2^-bits p z. */
+/* The share of snapping corners to 2^-bits pixel: sqrt(2) 2^-bits p z. */
 double depth_subpixel_m(const struct depth_lab *lab, int bits, double z);
 
-/* A bound: what depth_budget_measure measures never exceeds it. */
+/* The bound of a share at z: what depth_budget_measure measures never exceeds it. */
 double depth_share_m(enum depth_share share, enum ph_depth_format format, const struct depth_lab *lab, double z);
 
-/* That of interpolation at z, on a plane through the whole picture with its far edge at lean.at_m. An azimuth of NAN
- * stands for all. */
+/* The share of interpolation at z, on a plane through the whole picture with its far edge at lean.at_m. An azimuth of
+ * NAN stands for all. */
 double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, struct planes_lean lean,
                              double z);
 

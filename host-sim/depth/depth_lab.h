@@ -33,12 +33,12 @@ struct depth_lab {
     bool tilt_set;          /* --tilt was given */
     fx_t azimuth_deg;       /* --azimuth, -360 .. 360 */
     uint8_t shading;        /* --shading, enum ph_shading below PH_SHADE_WIRE */
-    bool far_set;           /* --far was given; likewise near_set */
-    bool near_set;
-    uint8_t exponent; /* bits of exponent of the float that is measured; 0: as many as the renderer takes */
-    uint32_t bits;    /* --bits, 0: not given */
-    const char *out;  /* --out: a file or directory, or NULL */
-    const char *kind; /* plot's KIND or compare's FILE, or NULL */
+    bool far_set;           /* --far was given */
+    bool near_set;          /* --near was given */
+    uint8_t exponent;       /* bits of exponent of the float that is measured; 0: as many as the renderer takes */
+    uint32_t bits;          /* --bits, 0: not given */
+    const char *out;        /* --out: a file or directory, or NULL */
+    const char *kind;       /* plot's KIND or compare's FILE, or NULL */
     const char *demo, *view, *model; /* advise: a scene; NULL: not given */
     bool allow_outside;              /* the model may name files outside of its folder */
     struct option_camera camera;

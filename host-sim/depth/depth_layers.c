@@ -117,7 +117,7 @@ static int find(struct depth_layers *s, const struct depth_lab *lab)
     return 0;
 }
 
-/* The same camera as pinhole-sim's: the demo's own lens fits its own view only. */
+/* Sets the camera as pinhole-sim does: the demo's own lens fits its own view only. */
 static void set_camera(struct depth_layers *s, const struct depth_lab *lab)
 {
     struct demo_camera *const camera = &s->context.camera;

@@ -25,7 +25,7 @@ double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_forma
 struct planes_sweep {
     double s_min_m;    /* predicted: S_min, whatever the tilt */
     double at_tilt_m;  /* predicted at this tilt */
-    double bound_m;    /* the same with all parts of the budget: no larger separation is ever wrong */
+    double bound_m;    /* predicted with all parts of the budget: no larger separation is ever wrong */
     double measured_m; /* smallest separation from which on no pixel was wrong; HUGE_VAL: none found */
 };
 

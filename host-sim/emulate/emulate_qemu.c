@@ -174,7 +174,8 @@ static bool readable(struct qemu *q, int fd, int wait_ms)
     return false;
 }
 
-/* These lines come in every run: the machines have a network chip without a network, and timers that stand still. */
+/* Whether a line comes in every run: the machines have a network chip without a network, and timers that stand
+ * still. */
 static bool usual(const char *line)
 {
     return strstr(line, "has no peer") != NULL || strcmp(line, "Timer with period zero, disabling") == 0;

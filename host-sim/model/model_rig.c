@@ -108,7 +108,8 @@ static void move_skinned(struct model_rig *rig, struct model_scene *scene, uint3
     node->mesh_count = 0;
 }
 
-/* Those without a parent come by their numbers, then the children of each. */
+/* Finds an order in which each node follows its parent: nodes without a parent by their numbers, then the children of
+ * each. */
 static void find_order(struct model_rig *rig)
 {
     const struct model_scene *scene = rig->scene;

@@ -33,7 +33,7 @@ struct model_mesh {
 
 struct model_node {
     float m[3][4];                /* to the parent: three rows, the last column is the translation */
-    double t[3], q[4], s[3];      /* of what moves: the same as translation, rotation (x, y, z, w) and scale */
+    double t[3], q[4], s[3];      /* of what moves: m as translation, rotation (x, y, z, w) and scale */
     uint32_t parent, child, next; /* of the tree: the first child, and the next one of the same parent; or MODEL_NONE */
     uint32_t first_mesh, mesh_count;
     uint32_t skin;   /* or MODEL_NONE */

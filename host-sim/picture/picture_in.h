@@ -23,7 +23,8 @@ struct picture_in {
     const char *why;        /* it is too large, or NULL */
 };
 
-/* Both return NULL, or why there is no picture ("is ..."). The caller sets in->most. */
+/* Read a picture from a file or from memory. Return NULL, or why there is no picture ("is ..."). The caller sets
+ * in->most. */
 const char *picture_in_file(struct picture_in *in, const char *path);
 const char *picture_in_memory(struct picture_in *in, const void *bytes, size_t n);
 

@@ -65,7 +65,7 @@ static bool fixed(double x, int bits, int32_t *out)
     return fabs(x) <= INT32_MAX;
 }
 
-/* Of unit length, at right angles to one another, and right-handed. */
+/* Whether the rows have unit length, are at right angles to one another, and are right-handed. */
 static bool is_rotation(double r[3][4])
 {
     bool good = true;

@@ -57,7 +57,8 @@ uint64_t sim_player_bus_ns(const struct sim_player *p);
 /* Prints the cost of the last frame in one line on stderr. */
 void sim_player_print_stats(const struct sim_player *p, uint32_t frame);
 
-/* The same as an object of JSON on a line of its own; host-sim/README.md has its keys, which stay. */
+/* Prints the cost of the last frame as an object of JSON on a line of its own; host-sim/README.md has its keys, which
+ * stay. */
 void sim_player_print_json(const struct sim_player *p, uint32_t frame);
 
 /* Turns the display off, prints each of the controller's complaints on stderr and frees the memory. 0, or COMPLAINED if

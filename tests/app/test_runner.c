@@ -311,7 +311,7 @@ static void a_demo_has_the_buffers_that_fit_beside_it(void **state)
     stage_close(s);
 }
 
-/* They leave out the same, too. */
+/* Bands of any height leave out the same triangles. */
 static void other_bands_share_the_memory_out_alike(void **state)
 {
     (void)state;

@@ -99,7 +99,7 @@ static uint32_t crc_byte(uint32_t crc, uint32_t byte)
     return crc;
 }
 
-/* Of the picture as RGB888, 5 and 6 bits repeated. */
+/* The CRC-32 of the picture as RGB888, 5 and 6 bits repeated. */
 static uint32_t picture_crc(void)
 {
     uint32_t crc = UINT32_MAX;

@@ -251,7 +251,8 @@ static void blends(void)
     measure("blend-texture", "cliff", PIXEL, &view);
 }
 
-/* As many rows as the picture has, of so many pixels each, all of which are drawn; from texel to texel. */
+/* Units of u and v for kernels that draw as many rows as the picture has, all pixels of which are drawn, from texel to
+ * texel. */
 enum { TEXEL_U = 1 << 22, TEXEL_V = 1 << 20, FAR = 1 };
 
 static void nearest_rows(uint32_t n)
@@ -381,7 +382,7 @@ static void shadings(void)
     measure("wire-edge", "cliff", EDGE, &view);
 }
 
-/* Of unlit vertices without triangles, but for the light. */
+/* Measures unlit vertices without triangles, and lit ones, which cost the light besides. */
 static void vertices_alone(void)
 {
     struct view view = usual();

@@ -18,7 +18,7 @@ static uint64_t arena[ARENA / 8], scene[ARENA / 8], scratch[ARENA / 8];
 static uint32_t depth[WIDTH * LINES], bins[HEIGHT / LINES];
 static uint16_t pixels[WIDTH * HEIGHT];
 
-/* Of the picture as RGB888, 5 and 6 bits repeated. */
+/* The CRC-32 of the picture as RGB888, 5 and 6 bits repeated. */
 static uint32_t picture_crc(void)
 {
     uint32_t crc = 0;

@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-/* Of the machine: instructions since its start, modulo 2^32, and a call of the emulator: Arm's "Semihosting for AArch32
- * and AArch64", whose numbers RISC-V has, too. */
+/* What a machine gives: the count of instructions since its start, modulo 2^32, and a call of the emulator (Arm's
+ * "Semihosting for AArch32 and AArch64", whose numbers RISC-V has, too). */
 uint32_t machine_count(void);
 void machine_semihost(uint32_t operation, const void *argument);
 

@@ -306,7 +306,7 @@ static struct ph_light any_light(const struct content *c)
 /* Read-only texels for any size, as large as the largest. */
 static uint16_t *texels;
 
-/* Of all levels. */
+/* The count of texels in all levels. */
 static uint32_t texels_of(const struct ph_texture *t)
 {
     uint32_t sum = 0, width = 1u << t->log2_width, height = 1u << t->log2_height;
@@ -318,7 +318,7 @@ static uint32_t texels_of(const struct ph_texture *t)
     return sum;
 }
 
-/* It ends where the memory ends: what is read behind it is reported. */
+/* A random texture. It ends where the memory ends, so that a read behind it is reported. */
 static struct ph_texture any_texture(void)
 {
     uint32_t log2_max = below(16) ? LOG2_MAX : LOG2_MOST;

@@ -129,7 +129,7 @@ static void screen_of(const struct ph_xform *view, const struct ph_projection *p
     assert_true((clip[3] > 0) == (convention != PH_LMU || p->kind == PH_ORTHOGRAPHIC));
 }
 
-/* The same from the camera itself, whose rotation and scale have more bits than its matrices. */
+/* The place on the screen by the camera itself, whose rotation and scale have more bits than its matrices. */
 static void exact_screen(const struct ph_xform *view, const struct ph_projection *p, struct fx_vec3 point,
                          double screen[2])
 {

@@ -338,7 +338,7 @@ static double worst_with(uint8_t exponent, double ratio)
     return worst;
 }
 
-/* Of two that are as good (the saw-tooth of a float makes 1/4 of difference) either is chosen. */
+/* Where two counts of bits are equally good (the saw-tooth of a float makes 1/4 of difference), either is chosen. */
 static void a_float_has_the_bits_of_exponent_that_resolve_most(void **state)
 {
     static const double ratios[] = {2, 10, 40, 64, 100, 1000, 10000, 16384, 40000, 1e6, 6e7};

@@ -301,7 +301,7 @@ static const double steepest[SLOPES] = {1. / 4096, 1. / 256, 1. / 16, 1, INFINIT
 
 struct result {
     double worst[OPAQUE][SLOPES];    /* codes off the exact plane, at centres within the corners */
-    double distance[OPAQUE][SLOPES]; /* the same as a share of the distance */
+    double distance[OPAQUE][SLOPES]; /* codes off the exact plane, as a share of the distance */
     double beyond;                   /* codes outside the range of the corners */
     long pixels, unlike;             /* unlike: code differs from that of the first surface */
 };

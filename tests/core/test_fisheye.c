@@ -176,7 +176,7 @@ static void look_around(const struct scene *s, const struct viewed *v, const str
     }
 }
 
-/* The same for a face seen almost edge-on: a sliver that the rings miss. */
+/* Whether a face that is seen almost edge-on lies near a pixel: a sliver that the rings miss. */
 static bool shows_nearby(const struct scene *s, const struct viewed *v, const struct camera *c, const struct rig *rig,
                          double x, double y, double reach, int quad)
 {

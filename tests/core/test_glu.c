@@ -135,7 +135,7 @@ static void draw_both(int kind)
 
 /* ---- comparing ------------------------------------------------------------------------------------------------ */
 
-/* Of two neighbours that both pictures drew, on the same mesh in both: the order in depth. */
+/* Compares the order in depth of two neighbours that are drawn in both pictures and lie on the same mesh in both. */
 static void compare_order(struct difference *t, int a, int b)
 {
     if (rig.depth[a] == 0 || rig.depth[b] == 0 || mesa_depth[a] >= 1 || mesa_depth[b] >= 1 ||

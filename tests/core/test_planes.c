@@ -7,7 +7,8 @@
 #include "../../firmware/core/render/planes.c" /* NOLINT(bugprone-suspicious-include): for times_wide */
 #include "vertex.h"
 
-/* Of a triangle whose second corner is 64 px above, and whose third is dx2 / 256 px to the right and d2 nearer. */
+/* The gradient of a triangle whose second corner is 64 px above, and whose third is dx2 / 256 px to the right and d2
+ * nearer. */
 static int32_t gradient(int32_t dx2, uint32_t d2)
 {
     const struct ph_vertex first = {0};

@@ -375,7 +375,7 @@ static void depth_of_24_bits_is_that_of_the_reference(void **state)
     }
 }
 
-/* Its step is 1.5 mm everywhere, of distances from 0.5 (ground) or 2 (the others) on. */
+/* The step of linear-w is 1.5 mm everywhere; distances begin at 0.5 (ground) or 2 (the others). */
 static void linear_w_distance_is_that_of_the_reference(void **state)
 {
     (void)state;

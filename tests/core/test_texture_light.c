@@ -294,7 +294,7 @@ static double brightness(const uint16_t *picture)
     return sum;
 }
 
-/* Also with a highlight, which is white on both. */
+/* The two are as bright with a highlight, too, which is white on both. */
 static void a_white_texture_is_as_bright_as_the_colour(void **state)
 {
     static struct scene s;

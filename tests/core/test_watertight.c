@@ -172,7 +172,7 @@ static void build_sheet(struct plane_mesh *m, double size, double least)
     }
 }
 
-/* Too thick to turn over. */
+/* Builds a sheet whose triangles are too thick to turn over. */
 static void build_thick_sheet(struct plane_mesh *m, double size)
 {
     build_sheet(m, size, 1 / 128. / UNIT_PX);

@@ -36,7 +36,7 @@ compares() {
         "$B/pinhole-depth" compare - --csv - <"$dir/uart" | cmp - "$dir/compared"
 }
 
-# The same bytes as the commands print, too.
+# The target prints the same bytes as the commands.
 same_bytes() {
     "$B/pinhole-depth" pairs --near .1 --far 1000 --count 500 --csv - --format fixed16 | tail -n 1 | grep -qxFf - "$dir/uart" &&
         "$B/pinhole-depth" resolve --near 1 --far 4 --csv - --format float16,log | tail -n +2 >"$dir/host" && [ "$(grep -cxFf "$dir/host" "$dir/uart")" = "$(wc -l <"$dir/host")" ]

@@ -42,7 +42,8 @@ static void insert_module(const char *path)
     close(file);
 }
 
-/* Their names begin with a number: the order in which they need each other. */
+/* Inserts the modules in the order of the numbers with which their names begin: the order in which they need each
+ * other. */
 static void insert_modules(void)
 {
     struct dirent **list = NULL;

@@ -168,7 +168,7 @@ the_clock_is_measured() {
         END { exit bad || steps != 10 }' "$guest_out/clocks.out" && grep -q 'clock: asks for 40000000 Hz; the SPI controller may make less' "$dir/faults/doctor.out"
 }
 
-# Of the last frame but one: its pixels come after 2Ch. Events of one transfer follow each other without a pause.
+# Counts the transfers of the last frame but one: its pixels come after 2Ch. Events of one transfer follow each other without a pause.
 pixel_transfers() { # name
     awk '$2 == "spi" && $1 != end { n++; if ($11 == "2c") { if (frames++) { print n - 5 } n = 0 } } $2 == "spi" { end = $10 }' \
         "$guest_out/$1.events" | tail -n 1
@@ -194,7 +194,7 @@ check "probe resets the display and names the controller that answers" a_control
 check "a display can be wired by hand, its lines named by label and offset" wires_are_given_by_hand
 check "testcard and speedtest show the card, at each clock" the_card_is_at_every_clock
 check "speedtest measures the clock on the wire, and doctor claims no other" the_clock_is_measured
-# Of 20 MHz this bus makes 250 / 14, as a Raspberry Pi does, and does not tell: 240x320 pixels of 16 bits take 68.8 ms, which is
+# For 20 MHz this bus makes 250 / 14, as a Raspberry Pi does, and does not tell: 240x320 pixels of 16 bits take 68.8 ms, which is
 # more than the clock asked for would take. This kernel adds to that, and is late for some of the 100 edges a second.
 a_report_tells_of_system_bus_and_lines() {
     report_has report "system $(cat "$guest_out/system")" "device /dev/spidev0.0, bufsiz 65536, libgpiod $(pkg-config --modversion libgpiod)" \

@@ -215,7 +215,7 @@ static void bands_with_the_same_columns_share_a_window(void **state)
     rig_close(&rig);
 }
 
-/* As panel_tiles.c mixes; if that changes, the next test says so. */
+/* Mixes as panel_tiles.c does; if that changes, the next test says so. */
 static uint32_t mix(uint32_t sign, uint32_t word)
 {
     const uint32_t mixed = (sign ^ word) * 0x9e3779b1U;

@@ -100,7 +100,7 @@ zfight_fights_in_fixed16_alone() {
     [ "$fight" = 0 ] && [ "$wrong" = 0 ] && "$lab" advise --demo zfight | head -n 1 | grep -q '^Take float16 (16 bits) with the near plane at 0.25 m: 0 of .* would fight\.$'
 }
 
-# Its distances are those from the eye: as the plane of a perspective, nearly all pixels would seem off.
+# The distances of a fisheye are those from the eye: as the plane of a perspective, nearly all pixels would seem off.
 a_fisheye_is_measured() {
     local format=float24 pixels overlapping fight wrong unforeseen
     read -r pixels overlapping fight wrong unforeseen < <(row --demo fisheye --frames 8 --start 30)

@@ -120,7 +120,7 @@ static void short_reset_and_early_bytes_are_seen(void **state)
     sim_close(early.sim);
 }
 
-/* Also when bytes have come before. */
+/* A byte that comes in a reset is seen, also when bytes have come before it. */
 static void a_byte_in_or_right_after_reset_is_seen(void **state)
 {
     (void)state;

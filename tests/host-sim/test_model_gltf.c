@@ -302,7 +302,7 @@ static void a_texture_that_is_not_there_is_told_by_its_number(void **state)
     model_close(model);
 }
 
-/* Of three vertices: bytes with and floats without alpha, multiplied by the factor in linear light. */
+/* Colours of three vertices: bytes with alpha, and floats without it, multiplied by the factor in linear light. */
 static void vertex_colours_are_multiplied_in_linear_light(void **state)
 {
     static const char form[] =

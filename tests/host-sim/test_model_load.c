@@ -516,7 +516,7 @@ static void meshes_are_split_at_65535_vertices(void **state)
     model_close(model);
 }
 
-/* The same as PLY, which has no normals: each triangle gets vertices of its own. */
+/* A flat mesh as PLY, which has no normals: each triangle gets vertices of its own. */
 static void flat_meshes_are_split_between_triangles(void **state)
 {
     enum { SIDE = 120 }; /* 28800 triangles, 86400 vertices */

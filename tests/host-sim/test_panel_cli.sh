@@ -10,7 +10,7 @@ panel=$B/pinhole-panel
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 
-# It ends with this status, nothing on stdout and one line on stderr, which has this text.
+# pinhole-panel ends with this status, nothing on stdout and one line on stderr, which has this text.
 refuses() { # status, text, argument...
     local status=0
     timeout 600 "$panel" "${@:3}" >"$dir/out" 2>"$dir/err" || status=$?

@@ -92,7 +92,7 @@ void proof_rows(void)
     ph_exact_rows(&t, &strip, &run);
 }
 
-/* Of a row at most PH_EXACT_RUN pixels are asked for: as often the loop turns. */
+/* At most PH_EXACT_RUN pixels of a row are asked for: the loop turns as often. */
 void proof_pixels_in(void)
 {
     const struct range range = {(uint64_t)nondet_i64(), (uint64_t)nondet_i64()};

@@ -28,7 +28,7 @@ void proof_slopes(void)
     CLAIM(s.shift >= 0 && s.shift <= 31);
 }
 
-/* As proof_slopes found them. */
+/* Slopes in the range that proof_slopes has shown. */
 static struct ph_slopes any_slopes(void)
 {
     return (struct ph_slopes){i32_between(-SLOPE, SLOPE - 1), i32_between(-SLOPE, SLOPE - 1),

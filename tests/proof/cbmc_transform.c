@@ -1,4 +1,4 @@
-/* The divide by w: no overflow and no bad shift. See proof.h. gappa_reach.sh: the result is in reach of set-up. */
+/* The divide by w: no overflow and no bad shift. See proof.h. gappa.sh proves that the result is in reach of set-up. */
 #include "proof_render.h"
 
 #include "../../firmware/core/render/transform.c"

@@ -98,7 +98,7 @@ static inline void any_triangle(struct triangle *t)
     ASSUME(s->area > 0);
 }
 
-/* Its corners are not behind the far plane: their exponents are not above that one's. */
+/* Assumes that no corner is behind the far plane: their exponents are not above that of the far plane. */
 static inline void in_view(const struct ph_lens *lens, const struct triangle *t)
 {
     for (int i = 0; i < 3; i++) {

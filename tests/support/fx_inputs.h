@@ -17,7 +17,7 @@ void add_bit_edges(void);
 
 uint32_t noise(void);
 
-/* Of any magnitude: as many small ones as large ones. */
+/* A random number of any magnitude: as many small ones as large ones. */
 int32_t noise_any(void);
 
 #endif

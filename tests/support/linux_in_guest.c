@@ -269,7 +269,7 @@ static void what_cannot_be_opened_is_told(void **state)
     linux_ops.close(&other);
 }
 
-/* As the user nobody. */
+/* Opens the backend as the user nobody. */
 static void no_permission_is_told_with_its_cure(void **state)
 {
     (void)state;

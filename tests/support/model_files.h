@@ -30,7 +30,7 @@ char *file_base64(const uint8_t *bytes, size_t n);
 /* model_open with stderr caught in said (empty string: nothing was said). */
 int open_caught(struct model **model, const char *path, char said[1024]);
 
-/* The same; the test fails if anything was said. */
+/* model_open; the test fails if anything was said. */
 struct model *open_good(const char *path);
 
 /* The cube [-1, 1]^3 in each format: 6 quads or 12 triangles, counter-clockwise from outside. */

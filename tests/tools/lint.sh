@@ -27,7 +27,7 @@ warnings() { # compiler
     make -k -s -j"$processors" B="$B/lint-$1" CC="$1" CFLAGS='-O2 -Werror' all test-programs long-programs
 }
 
-# Of libgpiod's two versions one is here.
+# The backend for the other version of libgpiod, which is not installed here.
 other_gpiod="hal/linux/gpiod$(if pkg-config --exists 'libgpiod >= 2'; then echo 1; else echo 2; fi)/*"
 
 # The virtual board's module needs the kernel's headers and flags; tests/guest/virtual_board.sh builds them with warnings as errors.

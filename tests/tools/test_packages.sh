@@ -53,7 +53,7 @@ a_strange_one_does_not_hide_the_sizes() {
 
 nothing_is_removed() { fresh && packages && ! grep ' install ' "$dir/calls" | grep -v -e --no-remove; }
 
-# As Ctrl-C does, the signal goes to all of the group.
+# The signal goes, as Ctrl-C does, to all of the group.
 is_whole_after() { # signal
     local status=0
     fresh

@@ -104,7 +104,8 @@ void figure_make_loop(struct figure_loop *loop, const struct figure_tube *tube, 
 void figure_skin_tube(const struct figure_tube *tube, struct figure_detail detail, const struct ph_xform *joints,
                       struct fx_vec3 *positions, int16_t (*normals)[3]);
 
-/* Its texture, of 32 x 128 texels >> down: rows 0 .. 71 of the body, 72 .. 99 of an arm, 100 .. 127 of a leg. */
+/* Makes the texture of a figure, of 32 x 128 texels >> down: rows 0 .. 71 of the body, 72 .. 99 of an arm, 100 .. 127
+ * of a leg. */
 int figure_make_texture(struct demo_arena *arena, struct ph_texture *texture, uint32_t down);
 
 #endif

@@ -181,8 +181,8 @@ struct seen {
     uint32_t form;
 };
 
-/* Not at all: most bodies within `reach` of a point that are behind the camera, where most of the snake is, or beside
- * the picture. Its form is that of a ball of this size. */
+/* How a ball of radius `reach` around a point can be seen: `form` is for its size in the picture. It is not seen at all
+ * behind the camera, where most of the snake is, or beside the picture. */
 static struct seen see(const struct ph_renderer *r, struct fx_vec3 at, fx_t reach)
 {
     const struct ph_projection *const lens = &r->projection;

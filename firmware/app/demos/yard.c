@@ -125,7 +125,7 @@ static int yard_frame(struct demo_context *context, struct ph_renderer *r, uint3
     return status ? status : ph_draw_mesh(r, &y->plain, &plain);
 }
 
-/* Both bodies twice, as their shadows are drawn of them, and the plain. */
+/* Vertices of a frame: each body twice, because its shadow is drawn of it, and the plain. */
 #define VERTICES(levels, cells) (48 + 2 * MODEL_ICOSPHERE_VERTICES(levels) + MODEL_GROUND_VERTICES(cells))
 
 static const struct demo_level coarser[] = {

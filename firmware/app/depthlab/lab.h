@@ -43,7 +43,8 @@ struct lab {
 /* Memory that this machine needs. */
 size_t lab_bytes(const struct lab *lab);
 
-/* Both print a header line and a line for each result. 0, PH_ERR_INVAL, or PH_ERR_NOMEM: memory_bytes is too small. */
+/* A measurement prints a header line and a line for each result. 0, PH_ERR_INVAL, or PH_ERR_NOMEM: memory_bytes is too
+ * small. */
 int lab_pairs(const struct lab *lab);
 int lab_resolve(const struct lab *lab);
 

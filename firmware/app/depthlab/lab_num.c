@@ -125,7 +125,7 @@ static void exponent_form(char *to, const char *digits, int count, int exponent)
 
 #define DIGITS_MAX 10
 
-/* So many significant digits, up to DIGITS_MAX, without the zeros at their end. */
+/* Writes v with `places` significant digits, up to DIGITS_MAX, without the zeros at their end. */
 static void put_number(struct lab_num v, int places, char text[LAB_TEXT_SIZE])
 {
     if (v.m == 0) {

@@ -166,7 +166,7 @@ static int run(struct runner *runner)
     return status;
 }
 
-/* It is run on the other core, to see if there is one. */
+/* Run on the other core, to see if there is one. */
 static void do_nothing(void *argument) /* called as run */
 {
     (void)argument;

@@ -25,7 +25,7 @@
 #define XOSC_STATUS  (XOSC_BASE + 0x04)
 #define XOSC_STARTUP (XOSC_BASE + 0x0c)
 
-/* Of PLL_SYS_BASE or PLL_USB_BASE. */
+/* Registers of a PLL; pll: PLL_SYS_BASE or PLL_USB_BASE. */
 #define PLL_CS(pll)        (pll)
 #define PLL_PWR(pll)       ((pll) + 0x04)
 #define PLL_FBDIV_INT(pll) ((pll) + 0x08)
@@ -78,7 +78,7 @@ enum { FIFO_READABLE = 1, FIFO_WRITABLE = 2 };
 #define UART0_LCR_H (UART0_BASE + 0x2c)
 #define UART0_CR    (UART0_BASE + 0x30)
 
-/* Of SPI unit 0 or 1. */
+/* Registers of an SPI unit; unit: 0 or 1. */
 #define SPI_SSPCR0(unit)   SPI_BASE(unit)
 #define SPI_SSPCR1(unit)   (SPI_BASE(unit) + 0x04)
 #define SPI_SSPDR(unit)    (SPI_BASE(unit) + 0x08)

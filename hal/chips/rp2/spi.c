@@ -66,7 +66,7 @@ HAL_TIER(interrupt) static inline void chip_select(bool selected)
     set_level(spi.select_pin, selected != spi.select_low);
 }
 
-/* Only while the bus is idle. */
+/* Sets the bits of a word; only while the bus is idle. */
 HAL_TIER(interrupt) static void set_word(uint32_t bits)
 {
     REG(SPI_SSPCR1(spi.unit)) = 0;

@@ -116,8 +116,8 @@ static inline void guard_stack(uint32_t from, uint32_t bytes_log2)
 typedef void *lookup_fn(uint32_t code, uint32_t mask);
 typedef int reboot_fn(uint32_t flags, uint32_t delay_ms, uint32_t p0, uint32_t p1);
 
-/* As the Arm cores do it. Here the ROM has the pointer to its look-up in its last words (pico-sdk,
- * bootrom_constants.h). */
+/* Starts the boot loader in the ROM, as the Arm cores do. For RISC-V the ROM has the pointer to its look-up in its last
+ * words (pico-sdk, bootrom_constants.h). */
 static inline void start_boot_loader(void)
 {
     uintptr_t at = 0x7dfa;

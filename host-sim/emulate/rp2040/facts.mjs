@@ -21,7 +21,7 @@ function sources(mcu) {
   };
 }
 
-// It counts the clock's edges during so many cycles of clk_ref as make 2^INTERVAL us if REF_KHZ is right.
+// The frequency counter counts a clock's edges during so many cycles of clk_ref as make 2^INTERVAL us if REF_KHZ is right.
 function count(mcu, registers, hz, machine) {
   const us = 2 ** registers[INTERVAL], seconds = (us * 1e-3 * registers[REF_KHZ]) / mcu.clocks.refFreq;
   const khz = (Math.floor(hz * seconds) / us) * 1e3;

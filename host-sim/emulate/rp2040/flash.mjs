@@ -14,7 +14,7 @@
 // that, too. A miss takes the clocks of the SSI's command, times its divider: 64 x 4 with command 03h on one line,
 // 20 x 2 and QUAD_MORE on four.
 //
-// Not known, and taken so: the older way of a set is replaced; the SSI adds nothing to its clocks on one line, and
+// What the datasheet leaves open is assumed: the older way of a set is replaced; the SSI adds nothing to its clocks on one line, and
 // QUAD_MORE cycles on four; a core fetches no word that it does not run; the DMA reads no flash.
 
 import { makeChip } from './flash_chips.mjs';

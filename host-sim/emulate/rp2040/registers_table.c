@@ -108,7 +108,7 @@ static const struct register_row watchdog_rows[] = {
     {"TICK", 0x2c, .start = 0x200, REGISTER_LIST(tick_fields), REGISTER_LIST(tick_when), "4.7.2"},
 };
 
-/* ---- flash: boot2.S ---------------------------------------------------------------------------------------------- */
+/* ---- flash: hal/rp2040/boot2.S ----------------------------------------------------------------------------------- */
 
 /* The ROM leaves the SSI on, as it has read boot2 by it. */
 static const struct register_field ctrlr0_fields[] = {

@@ -220,7 +220,7 @@ void chip_warn(struct chip *chip, const char *format, ...) __attribute__((format
 uint32_t memory_read(struct core *core, uint32_t address, uint32_t bytes);
 void memory_write(struct core *core, uint32_t address, uint32_t value, uint32_t bytes);
 uint32_t memory_fetch(struct core *core, uint32_t address);
-/* Of several words: that is a fault unless they are aligned. */
+/* Checks an access to several words: it is a fault unless they are aligned. */
 void memory_check_aligned(struct core *core, uint32_t address);
 uint32_t memory_dma_read(struct chip *chip, uint32_t address, uint32_t bytes);
 

@@ -174,7 +174,7 @@ static uint32_t zipped(uint32_t value, bool takes_apart)
     return result;
 }
 
-/* Of one operand: the immediate says which. */
+/* Runs an instruction with one operand; the immediate says which. */
 static bool unary(uint32_t imm, uint32_t kind, uint32_t a, uint32_t *result)
 {
     switch (imm << 4 | kind) {

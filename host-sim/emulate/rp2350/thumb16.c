@@ -114,7 +114,7 @@ static void with_8_bits(struct core *core, uint32_t code, bool flags)
     }
 }
 
-/* Those of the data processing instructions that add or compare; false: others. */
+/* Runs the data processing instructions that add or compare; false: it is another one. */
 static bool adds(struct core *core, uint32_t what, uint32_t d, uint32_t b, bool flags)
 {
     uint32_t *const a = &core->r[d];

@@ -58,7 +58,7 @@ static uint32_t word(uint32_t h, uint32_t value)
     return hash(h, &value, sizeof value);
 }
 
-/* Of all lengths and both signs; now and then the ends of the range. */
+/* A random factor of any length and either sign; now and then an end of the range. */
 static int32_t any_factor(void)
 {
     const uint32_t v = bits();

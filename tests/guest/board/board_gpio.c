@@ -304,7 +304,7 @@ int board_gpio_command(const char *verb, char *rest)
 
 /* ---- start and end ---- */
 
-/* As on the header; the stream always has these, whatever the chip calls its lines. */
+/* Names lines as on the header; the stream always has these, whatever the chip calls its lines. */
 static void name_lines(void)
 {
     static const char *const old[] = {"ID_SDA", "ID_SCL",    "SDA1",      "SCL1",     "GPIO_GCLK", "GPIO5",
