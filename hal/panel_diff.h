@@ -64,8 +64,8 @@ struct panel_diff {
 size_t panel_diff_bytes(uint16_t width, uint16_t height);
 
 /*
- * Call it for an open driver. memory: panel_diff_bytes() or more, 8-byte aligned; it
- * belongs to the diff as long as that is used. The first frame is sent whole. HAL_EINVAL: too little memory.
+ * Prepares a diff for an open driver. memory: panel_diff_bytes() or more, 8-byte aligned; it belongs to the diff as
+ * long as that is used. The first frame is sent whole. HAL_EINVAL: too little memory.
  */
 int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint32_t refresh_frames, void *memory,
                     size_t bytes);

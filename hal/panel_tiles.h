@@ -1,6 +1,6 @@
 /*
- * panel_tiles: sends only what changed, for chips that have no room for a second picture. These three replace the
- * driver's own (panel.h):
+ * panel_tiles: sends only what changed, for chips that have no room for a second picture. Three functions replace
+ * those of the driver (panel.h):
  *
  *   panel_tiles_begin(t, d)                 replaces panel_frame_begin
  *   panel_tiles_rows(t, d, pixels, lines)   replaces panel_rows, one band at a time
@@ -56,7 +56,8 @@ int panel_tiles_init(struct panel_tiles *t, const struct panel_driver *d, uint16
 /* A tile that the panel has lost, or whose change was missed, is sent again within so many frames. */
 uint32_t panel_tiles_refresh_frames(const struct panel_tiles *t);
 
-/* Call it when another scene begins or the panel may show anything: the next frame is sent whole. */
+/* Forgets what the panel shows, when another scene begins or the panel may show anything: the next frame is sent
+ * whole. */
 void panel_tiles_forget(struct panel_tiles *t);
 
 /* 0, or an error as of the driver's functions. After an error the next frame is sent whole. */

@@ -4,7 +4,7 @@
 
 #include "boards.h"
 
-/* All that such boards have in common but their pins. */
+/* What boards on a Raspberry Pi's header have in common, but for their pins. */
 #define RPI_HEADER .gpio_labels = RPI_GPIO_LABELS, .band_height = 60, .scene_bytes = 16 * 1024 * 1024
 
 #define RPI_CLOCK_AND_DATA .clock = BOARD_LINE("GPIO11"), .data = BOARD_LINE("GPIO10")

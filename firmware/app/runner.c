@@ -91,7 +91,7 @@ static void drop_ahead(struct runner *runner)
     }
 }
 
-/* Call it only while nothing is on the wire. */
+/* Opens a scene in the memory of the one before; only while nothing is on the wire. */
 static int open_scene(struct runner *runner, const struct demo *demo)
 {
     drop_ahead(runner);

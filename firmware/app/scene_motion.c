@@ -126,7 +126,7 @@ static bool do_times_rise(const struct scene_file_head *head, const struct scene
     return true;
 }
 
-/* To 1/64. */
+/* Whether a quaternion has length one, to 1/64. */
 static bool has_length_one(const struct fx_quat *q)
 {
     const int32_t parts[4] = {q->w, q->x, q->y, q->z};

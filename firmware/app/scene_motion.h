@@ -20,10 +20,11 @@ bool scene_motion_clip(const struct scene_file_head *head, uint32_t i, struct de
 /* Makes what moves, with the clip that plays, in the arena. NULL: it is full. */
 const struct animation *scene_motion_make(const struct scene_file_head *head, struct demo_arena *arena);
 
-/* What that and its stage take of an arena, here or on a 32-bit target; 0 if nothing moves. */
+/* Bytes that the scene's animation and its stage take of an arena, here or on a 32-bit target; 0 if nothing moves. */
 size_t scene_motion_bytes(const struct scene_file_head *head, bool on_32);
 
-/* What it takes of that beside its stage, with so many meshes that move and tracks of the clip that plays. */
+/* Bytes of scene_motion_bytes that are not the stage's, with so many meshes that move and tracks of the clip that
+ * plays. */
 size_t scene_motion_table_bytes(uint32_t mesh_count, uint32_t track_count, bool on_32);
 
 /* Plays the clip number i from the next scene_motion_make() on: changes a scene that lies in RAM. */

@@ -249,7 +249,7 @@ extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 /* ph_vertex_bytes and ph_triangle_bytes where pointers have 32 bits, for budgets that are equal on every machine. */
 #define PH_VERTEX_BYTES_32   16
 #define PH_TRIANGLE_BYTES_32 24
-/* What these bytes become: of each triangle that can be seen a reference, of the rest vertices of further meshes and
+/* What the triangle budget becomes: references of triangles that can be seen, vertices of further meshes and
  * corners that clipping makes, and slots for triangles that go on from band to band. Without slots a triangle is set up
  * again in each band. */
 #define PH_REFERENCE_BYTES 8

@@ -205,7 +205,7 @@ static void kms_close(void *context)
     k->shown = NULL;
 }
 
-/* There is no bus: any clock will do, and bytes for a controller go nowhere. */
+/* A display that the kernel drives has no bus: any clock will do, and bytes for a controller go nowhere. */
 static int32_t kms_bus_clock(void *context, uint32_t hz)
 {
     (void)context;

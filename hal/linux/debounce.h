@@ -14,7 +14,7 @@ void linux_debounce_start(struct linux_button *button, bool pressed, uint64_t no
 /* Takes an edge to this state, in the order of time. settle_ns 0: edges come debounced. */
 void linux_debounce_edge(struct linux_button *button, bool pressed, uint64_t time_ns, uint64_t settle_ns);
 
-/* Whether it is held now, or was pressed since the last look. */
+/* Whether a button is held now, or was pressed since the last look. */
 bool linux_debounce_look(struct linux_button *button, uint64_t now_ns, uint64_t settle_ns);
 
 #endif

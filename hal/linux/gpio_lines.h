@@ -39,7 +39,7 @@ int linux_gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *lo
 int linux_gpio_request(struct linux_line *line, void *chip, unsigned offset, const struct linux_gpio_want *want);
 void linux_gpio_release(struct linux_line *line);
 
-/* Levels are those on the wire. */
+/* Sets or reads a line. Levels are those on the wire. */
 int linux_gpio_set(struct linux_line *line, bool level);
 int linux_gpio_get(struct linux_line *line);
 

@@ -10,7 +10,7 @@
 
 #include "linux_types.h"
 
-/* Call it when the device is open. */
+/* Starts the thread that sends; the device must be open. */
 int linux_sender_start(struct linux_hal *h);
 
 /* Sends the rest, then ends the thread. */

@@ -31,7 +31,7 @@ static const uint8_t dbi_off[] = {
     DELAY_MS(5),    /* until the next command */
 };
 
-/* All of them have these commands; differences follow in each struct. */
+/* Commands that all controllers of this file have; differences follow in each struct. */
 #define DBI_COMMANDS                                                                                                   \
     .init_hz = 4000000, .reset_low_us = 100, .reset_high_us = 120000, .set_column = 0x2A, .set_row = 0x2B,             \
     .memory_write = 0x2C, .address_bytes = 2, .column_pixels = 1, .window_turns = true, .set_rotation = 0x36,          \

@@ -171,7 +171,7 @@ static void read_on(uint32_t divider)
     }
 }
 
-/* Without a prefix another program has let the flash read on, and it would hear no command. */
+/* Ends a read without a command prefix that another program may have left on: the flash would hear no command. */
 void rp2_flash_open(void)
 {
     const uint32_t kind = board_here->flash, slower = kind == BOARD_FLASH_AUTOMATIC ? 1 : 2;

@@ -27,7 +27,7 @@ struct asset_limits {
     const char *file_name; /* of the model, for its name */
 };
 
-/* How it was simplified. */
+/* How a model was simplified. */
 enum asset_way {
     ASSET_WHOLE,  /* not at all */
     ASSET_KEPT,   /* vertices with the normals of the file */

@@ -333,7 +333,7 @@ static const struct ph_texture *shrink(struct demo_arena *arena, const struct ph
     return to;
 }
 
-/* Meshes that shared a texture share the new one. */
+/* Makes textures smaller; meshes that shared one share the new one. */
 static bool shrink_textures(struct asset *asset, struct demo_arena *arena, const struct asset_limits *limits)
 {
     const uint32_t count = asset->model.mesh_count;
@@ -354,7 +354,7 @@ static bool shrink_textures(struct asset *asset, struct demo_arena *arena, const
     return true;
 }
 
-/* Meshes that shared a blend share the new one. */
+/* Makes the textures of blends smaller; meshes that shared a blend share the new one. */
 static bool shrink_blends(struct asset *asset, struct demo_arena *arena, const struct asset_limits *limits)
 {
     for (uint32_t m = 0; m < asset->model.mesh_count; m++) {

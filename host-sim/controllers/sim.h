@@ -49,7 +49,7 @@ void sim_buttons_set(struct sim *sim, uint32_t buttons);
 
 /* ---- complaints --------------------------------------------------------------------------------- */
 
-/* All of them; of one kind. Notes are not counted. */
+/* How many complaints there were, in all and of one kind. Notes are not counted. */
 uint32_t sim_complaint_count(const struct sim *sim);
 uint32_t sim_complaint_count_of(const struct sim *sim, enum sim_complaint_kind kind);
 

@@ -320,7 +320,7 @@ static void display_function(struct sim *sim)
     }
 }
 
-/* Registers that only one controller has. */
+/* Ends a command to a register that only one controller has. */
 static void finish_own(struct sim *sim)
 {
     struct sim_dbi *d = &sim->u.dbi;

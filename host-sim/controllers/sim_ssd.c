@@ -273,7 +273,7 @@ static void parameters_are_missing(struct sim *sim)
                  s->parameter_count, s->command->most);
 }
 
-/* Data that no command waits for. After a window they are pixels without 5Ch. */
+/* Takes data that no command waits for. After a window they are pixels without 5Ch. */
 static void data_too_many(struct sim *sim)
 {
     const struct sim_command *command = sim->u.ssd.command;

@@ -54,10 +54,10 @@ int wire_replay_event(struct wire *w, const struct wire_event *event);
 /* The stream is over. 0, or what config->frame returned. */
 int wire_replay_end(struct wire *w);
 
-/* Returns how many complaints there were (resent was called for the first of them only). */
+/* Returns how many complaints there were (config.resent was called for the first of them only). */
 uint32_t wire_replay_complaints(const struct wire *w);
 
-/* Frames that were told. */
+/* How many frames were reported. */
 uint32_t wire_replay_frames(const struct wire *w);
 
 void wire_replay_close(struct wire *w);

@@ -79,7 +79,8 @@ static struct pair *pair_of(struct scene_report *r, uint16_t front, uint16_t beh
     return &r->pairs[i];
 }
 
-/* Whether it shows which of the two is in front. Of one triangle drawn twice always the first shows. */
+/* Whether a format shows which of two surfaces is in front. Of one triangle that is drawn twice always the first one
+ * shows. */
 static bool differ(const struct scene_report *r, const struct scene_layer *a, const struct scene_layer *b)
 {
     const bool same_place = a->z_m == b->z_m && a->slope_m == b->slope_m;
@@ -139,7 +140,7 @@ static void count_pixel(struct scene_report *r, const struct scene_pixel *pixel)
     r->lost += lost;
 }
 
-/* Pixels that show another surface than the nearest, while the finest format tells them apart. */
+/* Counts pixels that show another surface than the nearest, while the finest format tells them apart. */
 static int count_wrong(struct scene_report *r, struct candidate *c)
 {
     const int status = depth_layers_show(&r->scene, c->format, c->lab.near_z);

@@ -105,7 +105,7 @@ static int budget_format(const struct depth_lab *lab, uint32_t row, const fx_t *
     return status;
 }
 
-/* Without --at: twice the near plane, every decade of it, and the far plane. */
+/* The distances that are measured without --at: twice the near plane, every decade of it, and the far plane. */
 static uint32_t default_distances(const struct depth_lab *lab, fx_t at[DEPTH_AT_MAX])
 {
     uint32_t count = 0;

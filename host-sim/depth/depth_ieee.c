@@ -53,7 +53,7 @@ static float int24_of(float d)
     return (float)floor((double)d * 16777215 + 0.5);
 }
 
-/* From clip z and w to what is compared; larger is farther. */
+/* Converts clip z and w to the number that is stored and compared; larger is farther. */
 static float stored_of(const struct ieee *p, float z, float w)
 {
     float d = rounded(z / w);

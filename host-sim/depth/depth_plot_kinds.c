@@ -53,7 +53,8 @@ static bool has_twin(uint32_t row)
     return false;
 }
 
-/* Formats that the renderer does not have: dashes for 16 bits, dashes and dots for 24. */
+/* Writes the style of a format's curve. Formats that the renderer does not have get dashes for 16 bits, dashes and dots
+ * for 24. */
 static void put_style(FILE *script, const struct lab_format *format, bool marks)
 {
     const struct style style = style_of(format);

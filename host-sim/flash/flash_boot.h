@@ -18,7 +18,8 @@
 
 #define FLASH_WAIT_MS 3000 /* a sector is erased within 400 ms by all flash chips of RP2040 boards */
 
-/* Beside those of hal.h: HAL_ENODEV unplugged, HAL_ETIMEDOUT no answer, HAL_EIO any other error on the wire. */
+/* Status values beside those of hal.h: HAL_ENODEV unplugged, HAL_ETIMEDOUT no answer, HAL_EIO any other error on the
+ * wire. */
 enum flash_status {
     FLASH_STOPPED = -4,  /* EINTR: the user stopped it */
     FLASH_STALL = -32,   /* EPIPE: the board refuses */

@@ -14,7 +14,7 @@ struct flash_program {
     char name[FLASH_PROGRAM_NAME]; /* printable, shortened if need be; "": it does not say */
 };
 
-/* Reads it. A status as in flash_boot.h. */
+/* Reads which program is in the flash. Returns a status as in flash_boot.h. */
 int flash_program_read(struct flash_boot *boot, struct flash_program *program);
 
 #endif

@@ -29,7 +29,7 @@ int flash_usb_open(struct flash_usb **usb, const struct flash_board *board);
 /* NULL is fine. */
 void flash_usb_close(struct flash_usb *usb);
 
-/* With a struct flash_usb as context. */
+/* Operations on a link by USB; their context is a struct flash_usb. */
 extern const struct flash_link_ops flash_usb_ops;
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "model_places.h"
 
-/* From the world to the unit sphere: (p - centre) * scale. */
+/* How the world is fitted into the unit sphere: (p - centre) * scale. */
 struct model_fit {
     double centre[3], scale;
 };

@@ -39,7 +39,7 @@ static void multiply(matrix to, const double (*a)[4], const double (*b)[4])
     }
 }
 
-/* False: it has no inverse. */
+/* Inverts a matrix. False: it has no inverse. */
 static bool invert(matrix to, const double (*m)[4])
 {
     double determinant = 0;

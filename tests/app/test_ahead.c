@@ -49,7 +49,8 @@ static bool is(const bool *flag)
     return __atomic_load_n(flag, __ATOMIC_ACQUIRE);
 }
 
-/* In one of four the work begins when core 0 joins, so that the two meet however busy the machine is. */
+/* The other core's thread. In one of four runs the work begins when core 0 joins, so that the two meet however busy the
+ * machine is. */
 static void *thread_main(void *steps)
 {
     is_thread = true;
@@ -84,7 +85,7 @@ static void join_thread(void)
     assert_int_equal(pthread_join(thread, NULL), 0);
 }
 
-/* From the thread: core 0 takes it while it joins. */
+/* Gives work back from the thread; core 0 takes it while it joins. */
 static bool give_back(void (*run)(void *), void *argument)
 {
     if (!is(&joining)) {

@@ -63,7 +63,7 @@ static double elevation(const struct demo_stage *s, double *distance)
     return asin(ldexp(s->rig.r.view.r[2][1], -30)) * 180 / acos(-1);
 }
 
-/* By what is asked for, at the same distance, and between 3 and 87 degrees. */
+/* The camera tilts by what is asked for, at the same distance, and stays between 3 and 87 degrees. */
 static void the_camera_tilts_around_the_scene_and_stays_above_the_ground(void **state)
 {
     (void)state;

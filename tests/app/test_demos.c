@@ -196,7 +196,7 @@ static int green(uint16_t wire)
     return (bytes[0] & 7) << 3 | bytes[1] >> 5;
 }
 
-/* By how much the green of all pixels changes from one frame to the next, summed up. */
+/* The change of the green of all pixels from one frame to the next, summed up. */
 static uint32_t change(struct demo_stage *s, uint32_t from)
 {
     const size_t pixels = (size_t)s->rig.width * (size_t)s->rig.height;

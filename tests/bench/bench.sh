@@ -36,7 +36,7 @@ core_size() { # core
     find "$B/bench-$1/firmware/core" -name '*.o' -print0 | xargs -0 $size -t | awk -v core="$1" 'END { print core, $1, $2 + $3 }'
 }
 
-# ... of the image of all demos; and the frames a second. The icosphere does not fit in with the others.
+# Code and variables of the image of all demos, and its frames a second. The icosphere does not fit in with the others.
 on_rp2040() {
     local cores
     FIRST_DEMO=fill host-sim/emulate/speed_rp2.sh pico-display-2 >"$dir/speed" || grep -q '!' "$dir/speed"

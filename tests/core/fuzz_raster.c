@@ -550,7 +550,7 @@ static void delay(uint32_t steps)
     }
 }
 
-/* Now and then much longer than a share of the work takes. */
+/* A random delay of a core, now and then much longer than a share of the work takes. */
 static uint32_t any_delay(void)
 {
     return below(1u << (2 * below(9)));

@@ -449,8 +449,8 @@ static void colour_texture(struct scene *s, const struct quad *q, const struct p
     memcpy(s->quads[2].corners, corners, sizeof s->quads[2].corners);
 }
 
-/* As it faces the camera, its colours are linear on the screen. One that leans has the same colour at all corners: so
- * it is seen whether both have the same depth. Glass comes after the fog. */
+/* The colours of a square that faces the camera are linear on the screen. One that leans has the same colour at all
+ * corners: so it is seen whether both have the same depth. Glass comes after the fog. */
 static void colours_of_corners_multiply_textures(void **state)
 {
     (void)state;

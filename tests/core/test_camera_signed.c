@@ -130,7 +130,7 @@ static void to_pixels(const double p[4], double at[2])
     at[1] = (p[1] / p[3] + 1) * HEIGHT / 2;
 }
 
-/* By how many pixels a point lies inside a convex polygon; outside it is negative. */
+/* How many pixels a point lies inside a convex polygon; outside it is negative. */
 static double depth_in(double polygon[CORNERS][4], int count, double x, double y)
 {
     double area = 0, least = count < 3 ? -HUGE_VAL : HUGE_VAL, at[CORNERS][2];

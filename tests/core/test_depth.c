@@ -255,7 +255,7 @@ static void the_fixed_formats_use_all_codes_of_near_ranges(void **state)
 /* ---- leaning quads ---------------------------------------------------------------------------------------------- */
 
 /*
- * By how much the distance read in the middle of a leaning quad leaves the interval of its code. The 1/256 px of the
+ * How far the distance read in the middle of a leaning quad leaves the interval of its code. The 1/256 px of the
  * corners allow for s_xy tan(lean) of the minimum triangle separation (Akeley and Su, 2006): sqrt(2) 2^-8 px. (Beyond
  * some 1/16 of the distance per pixel set-up flattens a surface: see depth.h.)
  */

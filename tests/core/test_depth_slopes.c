@@ -97,7 +97,7 @@ static void begin(struct rig *rig, const struct lens *lens, const struct surface
     begin_with(rig, &projection, surface);
 }
 
-/* Nothing of a texture is cut out. */
+/* A material for a surface; nothing of its texture is cut out. */
 static struct ph_material material_of(const struct surface *surface, const uint16_t ramp[PH_RAMP_SIZE], uint16_t colour)
 {
     static const uint16_t texels[6] = {1, 2, 3, 4, 5}, opaque[1] = {UINT16_MAX};

@@ -122,7 +122,7 @@ static double exact_entry(const struct lighting *light, const vec normal, const 
     return 4 + 119 * fmin(fmin(diffuse, 1) + specular, most) / most;
 }
 
-/* By how many steps a pixel is off the lit colour: its own at full light, white with a highlight of 1. */
+/* How many steps a pixel is off the lit colour: its own at full light, white with a highlight of 1. */
 static double channel_error(const struct lighting *light, const vec normal, const vec position, const vec viewer,
                             int pixel)
 {

@@ -110,7 +110,7 @@ static bool is_gentle(const struct ref_plane *p, int x, int y)
            ref_plane_at(p, &lens, x + 16.5, y + .5, &u, &v, &right) && fmax(left, right) < 4. / 3 * fmin(left, right);
 }
 
-/* By how many tolerances a pixel's texel is off the exact coordinates; `step`: what one pixel changes them by. */
+/* How many tolerances a pixel's texel is off the exact coordinates; `step`: what one pixel changes them by. */
 static double tolerances(const struct square *s, int drawn, const double exact[2], const double step[2])
 {
     double u = outside(exact[0], drawn % TEXELS, s->texture.wrap),

@@ -70,14 +70,14 @@ order() { "$B/pinhole-wire" --board "$1" --order "$2" | sed -n 's/^order \(.*\) 
 
 builds() { make -s -j2 B="$B" "$B/pinhole-wire" "$B/pinhole-sim" && runs lm3s6965evb once 'port_exit(0);' && runs feather-stm32f405 once 'port_exit(0);'; }
 
-starts_and_ends_in_order() { # board. The model resents what comes too early after a reset, in sleep, or with a short wait.
+starts_and_ends_in_order() { # board. The model rejects what comes too early after a reset, in sleep, or with a short wait.
     local seen
     seen=$(order "$1" "$dir/once.$1.events") || return 1
     [ "$seen" = "init;first frame;display on;display off;" ] || { echo "$seen" && return 1; }
     "$B/pinhole-wire" --board "$1" "$dir/once.$1.events" | cmp - <("$B/pinhole-sim" --board "$1" --demo cube --crc)
 }
 
-waits_are_seen() { # the same stores without any time between them are resented
+waits_are_seen() { # the same stores without any time between them are rejected
     sed 's/^[0-9]* /0 /; s/ [0-9]* \([0-9a-f]*\)$/ 0 \1/' "$dir/once.feather-stm32f405.events" >"$dir/hurried"
     "$B/pinhole-wire" --board feather-stm32f405 "$dir/hurried" >"$dir/said" 2>&1 && return 1
     grep -q 'command 11h within 5 ms of reset\|SLPOUT (11h) within 120 ms of reset' "$dir/said" || { cat "$dir/said" && return 1; }

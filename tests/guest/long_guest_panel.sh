@@ -272,7 +272,7 @@ a_signal_leaves_it_dark() { # signal, status
     ended "$1" "$2" "frames/s" && dark "$1" && released "$1"
 }
 
-# The panel sees both runs; what it resents of the one that was cut off does not count.
+# The panel sees both runs; what it rejects of the one that was cut off does not count.
 after_a_kill_it_starts_again() {
     local restart
     ended killed 137 "frames/s" && ended after 0 "" || return 1

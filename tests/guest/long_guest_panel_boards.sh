@@ -39,7 +39,7 @@ unplugs='
         guest_limit=3000 run "spi-$i" --board rpi-waveshare-1in44 --frames 20
     done
 '
-# Wherever it came: one line and exit 1; or it was over before.
+# Wherever the unplugging came: one line and exit 1; or it was over before.
 unplugged() { # kind
     local i late=0
     for i in {1..50}; do

@@ -120,7 +120,7 @@ report_has() { # name, line...
     done
 }
 
-# The frames on the wire, first of all what the panel would have resented, are those of pinhole-sim.
+# The frames on the wire, first of all what the panel would have rejected, are those of pinhole-sim.
 frames_as_sim() { # name, board, rotation, pinhole-sim's option...
     "$B/pinhole-sim" --board "$2" --rotate "$3" --crc "${@:4}" >"$guest_out/$1.expected" &&
         "$B/pinhole-wire" --board "$2" --rotate "$3" "$guest_out/$1.events" >"$guest_out/$1.seen" &&

@@ -32,7 +32,7 @@ options() { # of pinhole-panel, as `systemctl edit` sets them
 
 show() { ctl show pinhole -p ActiveState -p Result -p ExecMainCode -p ExecMainStatus -p NRestarts >"$GUEST/$1.show"; }
 
-# Until it has ended by itself: ten minutes at most.
+# Waits until the service has ended by itself: ten minutes at most.
 ends() {
     local i
     for ((i = 0; i < 3000; i++)); do

@@ -26,7 +26,7 @@ in_order() { # file, pattern...
     done
 }
 
-# Until it is so, or for ten minutes.
+# Repeats a command until it succeeds, ten minutes at most.
 patiently() {
     local i
     for ((i = 0; i < 6000; i++)); do "$@" && return; sleep 0.1; done

@@ -24,7 +24,7 @@ struct usb_device {
     /* Bulk data from the host: bytes taken (fewer is a short transfer). USB_WAIT: never answered, until it is
      * cancelled. */
     int (*out)(void *context, unsigned endpoint, const uint8_t *data, int n);
-    /* ... to the host, who has waited so long: bytes. USB_WAIT: nothing yet. */
+    /* Gives bytes to the host, who has waited so long; returns their count. USB_WAIT: nothing yet. */
     int (*in)(void *context, unsigned endpoint, uint8_t *data, int room, unsigned waited_ms);
     /* CLEAR_FEATURE(ENDPOINT_HALT), address with direction; may be NULL. */
     void (*unhalt)(void *context, unsigned endpoint);

@@ -164,7 +164,7 @@ static void move(const struct model *model)
     free(arena.base);
 }
 
-/* Was it read? */
+/* Reads a file with the reader under test. Was it read? */
 static bool read_file(const uint8_t *bytes, size_t n, const char *path)
 {
     struct model *model;

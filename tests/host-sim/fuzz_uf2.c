@@ -87,7 +87,7 @@ static void check_bin(const struct flash_image *image, const uint8_t *file, size
     }
 }
 
-/* Was it taken? */
+/* Parses a file with the parser under test. Was it taken? */
 static bool parse(const uint8_t *file, size_t n)
 {
     struct flash_image image;

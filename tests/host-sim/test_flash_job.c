@@ -254,7 +254,7 @@ static void the_flash_holds_the_image_and_the_rest_is_as_it_was(void **state)
     assert_int_equal(count(READ), 4);
 }
 
-/* ... with REBOOT2: kind 0, which is a normal boot, and milliseconds. */
+/* An RP2350 is rebooted by REBOOT2: kind 0, which is a normal boot, and milliseconds. */
 static void an_rp2350_is_written_likewise_and_rebooted(void **state)
 {
     (void)state;
@@ -514,7 +514,7 @@ static void assert_line(const char *start)
     }
 }
 
-/* Wherever it strikes: the status and its line, or the job was done; run again, it is. */
+/* An error may strike at any call: the job gives its status and its line, or was done; run again, it is done. */
 static void every_call_can_fail(int status, const char *line, uint32_t least)
 {
     uint32_t failed = 0;

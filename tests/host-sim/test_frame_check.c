@@ -73,7 +73,7 @@ static uint8_t *pixel(uint32_t x, uint32_t y)
     return rgb + 3 * (y * WIDTH + x);
 }
 
-/* What it says on stdout. */
+/* Puts a frame to the check, and keeps what it says on stdout. */
 static int put(struct frame_check *check, uint32_t frame)
 {
     struct stderr_capture c;

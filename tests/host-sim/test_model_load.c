@@ -21,7 +21,7 @@
 #define CUBE_SIDE 37837 /* 1 / sqrt(3): where the fitted cube's faces are */
 #define ONE_NODE  "[{\"mesh\":0}]"
 
-/* Everything that the renderer takes for granted. */
+/* Asserts everything that the renderer takes for granted of a model. */
 static void assert_sound(const struct model *model)
 {
     uint32_t total = 0;

@@ -1,4 +1,4 @@
-/* player: what the simulated kit resents or refuses reaches the user, and the exit status. */
+/* player: what the simulated controller rejects or refuses reaches the user, and the exit status. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -162,7 +162,7 @@ static uint32_t true_cost(struct search *s, const struct rect *rects, int n)
     return a < b ? a : b;
 }
 
-/* Makes it as small as what changed in it; false: nothing did. */
+/* Makes a rectangle as small as what changed in it; false: nothing did. */
 static bool trim(const struct search *s, struct rect *r)
 {
     if (changed_in(s, r->x0, r->x1, r->y0, r->y1) == 0) {
@@ -230,7 +230,7 @@ static void split_one(struct search *s)
     }
 }
 
-/* To another's lines or columns: larger, but a border less. */
+/* Moves a border of a rectangle to another's lines or columns: it becomes larger, and there is a border less. */
 static void adopt_border(struct search *s)
 {
     struct rect *p = &s->trial[draw(s, (uint32_t)s->trial_count)];

@@ -7,7 +7,7 @@
 /* Exact. */
 double real(fx_t v);
 
-/* To nearest. */
+/* A vector in Q16.16, rounded to nearest. */
 struct fx_vec3 vec(double x, double y, double z);
 
 /* Fails the test (cmocka), and says by how much, where got is farther than tolerance from want, or not a number. */

@@ -18,7 +18,7 @@ const char *file_path(const char *name);
 const char *file_bytes(const char *name, const void *bytes, size_t n);
 const char *file_text(const char *name, const char *text);
 
-/* Reads it; *n is its length. free() it. */
+/* Reads a file of this name; *n is its length. free() it. */
 uint8_t *file_read(const char *name, size_t *n);
 
 /* Writes n (up to 128) bytes: floats of little endian, 0 everywhere but 1 at these places. */

@@ -10,7 +10,7 @@ struct stderr_capture {
     char text[2048]; /* after stderr_capture_end: what was said, cut to what fits */
 };
 
-/* Between these no assertion: cmocka speaks on stderr, too. */
+/* Begins and ends a capture of stderr. Between the two no assertion may be: cmocka speaks on stderr, too. */
 void stderr_capture_begin(struct stderr_capture *c);
 void stderr_capture_end(struct stderr_capture *c);
 

@@ -32,7 +32,7 @@ void uf2_make_bin(uint8_t *bytes, uint32_t n, uint32_t seed);
 /* A right UF2 of n bytes (a multiple of 256) at address 10000000h: n * 2 bytes. */
 void uf2_make(uint8_t *blocks, const uint8_t *bytes, uint32_t n);
 
-/* Makes of these n blocks a file for an RP2350: family, and in the first one what an image definition begins with. */
+/* Turns n blocks into a file for an RP2350: its family, and in the first one what an image definition begins with. */
 void uf2_for_rp2350(uint8_t *blocks, uint32_t n);
 
 /* A block against erratum E10, as picotool puts it before the others. */

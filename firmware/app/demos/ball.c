@@ -144,7 +144,7 @@ static int ball_init(struct demo_context *context)
     return model_material(&context->arena, &b->mesh, &b->colour);
 }
 
-/* From the eye's coordinates to those of the world, whose origin is the frustum's middle. */
+/* Converts the eye's coordinates to those of the world, whose origin is the frustum's middle. */
 static struct fx_vec3 placed(struct fx_vec3 p)
 {
     p.z += MIDDLE;

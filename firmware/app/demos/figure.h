@@ -87,7 +87,7 @@ struct figure_detail {
 /* Triangles between rings of sides + 1 vertices, from the lowest on. All tubes take as many of them as they have. */
 bool figure_make_grid(struct demo_arena *arena, uint16_t (**grid)[3], struct figure_detail detail);
 
-/* From the back over the left, and from the highest ring down. */
+/* Makes the texture coordinates of a tube: u goes from the back over the left, v from the highest ring down. */
 bool figure_make_uvs(struct demo_arena *arena, fx_t (**uvs)[2], const struct figure_tube *tube,
                      struct figure_detail detail);
 

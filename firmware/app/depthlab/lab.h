@@ -40,7 +40,7 @@ struct lab {
 
 #define LAB_COUNT_MAX 1000000u
 
-/* Memory that this machine needs. */
+/* The bytes of memory that a measurement needs on this machine. */
 size_t lab_bytes(const struct lab *lab);
 
 /* A measurement prints a header line and a line for each result. 0, PH_ERR_INVAL, or PH_ERR_NOMEM: memory_bytes is too

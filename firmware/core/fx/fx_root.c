@@ -36,7 +36,7 @@ static const uint8_t rsqrt_table[192] = {
     132, 132, 132, 131, 131, 131, 130, 130, 130, 130, 129, 129, 129, 129, 128, 128,
 };
 
-/* By one Newton step from the table, in 32 bits. */
+/* Finds the root's reciprocal by one Newton step from the table, in 32 bits. */
 PH_TIER(mesh) uint32_t fx_rsqrt16(uint32_t m)
 {
     const uint32_t y = rsqrt_table[(m >> 24) - 64];                            /* 2^23 / sqrt(m) */
@@ -44,7 +44,7 @@ PH_TIER(mesh) uint32_t fx_rsqrt16(uint32_t m)
     return (y << 8) + (uint32_t)(((int32_t)y * (miss >> 8)) >> 15);
 }
 
-/* By two Newton steps y += y (1 - m y^2) / 2. */
+/* Finds the root's reciprocal by two Newton steps y += y (1 - m y^2) / 2. */
 PH_TIER(mesh) uint32_t fx_rsqrt_norm(uint32_t m)
 {
     uint32_t y = (uint32_t)rsqrt_table[(m >> 24) - 64] << 22;

@@ -301,7 +301,7 @@ PH_TIER(figure) static void set_up_fresh(void *argument) /* called as run */
     }
 }
 
-/* When both cores have stopped: sets up the triangle that both claimed, if there is one. */
+/* Sets up the triangle that both cores claimed, if there is one, when both have stopped. */
 PH_TIER(figure) static void finish_fresh(struct fresh *s)
 {
     if (s->count > 0 && s->claimed[0] - 1 + (s->claimed[1] > 0 ? s->claimed[1] - 1 : 0) < s->count) {

@@ -31,8 +31,8 @@ struct ph_share {
     uint32_t fragments;   /* 0 before */
 };
 
-/* Has that many rows of a band drawn here, and the others by the other core; or all of it here, if there are 0 such
- * rows or the other core is not idle. run takes a struct ph_share, whose fragments are counted. */
+/* Draws a band on both cores: the first `rows` rows here, and the others on the other core; or all of it here, if
+ * `rows` is 0 or the other core is not idle. run takes a struct ph_share, whose fragments are counted. */
 void ph_draw_in_parts(struct ph_renderer *r, const struct ph_band *band, int32_t rows, void (*run)(void *share));
 
 #endif

@@ -145,7 +145,8 @@ void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw);
 /* Place of corner 0 of the current draw. */
 uint32_t ph_list_base(const struct ph_renderer *r);
 
-/* From now on references are those of this draw; first, next and lens are set here. False: there is no room. */
+/* Makes a draw the current one: from now on references are listed for it; first, next and lens are set here. False:
+ * there is no room. */
 bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw);
 
 /* Goes on with a draw after others. Without room for that no more is listed in this frame: it would have others'

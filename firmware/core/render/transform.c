@@ -39,7 +39,7 @@ static inline int32_t divide_q25(int32_t x, int32_t reciprocal, int shift)
     return (int32_t)(fx_mul_wide(aligned, reciprocal) >> 32);
 }
 
-/* From 2^-25 to 1/256 px, rounded. */
+/* Converts a place on the screen from 2^-25 to 1/256 px, rounded. */
 PH_TIER(mesh) static inline int32_t screen_q8(const struct ph_lens *lens, int32_t q25)
 {
     const int down = 17 - lens->focal_log2;

@@ -21,7 +21,7 @@
 #define TICK_US     1000
 #define STACK_PAINT 0x57AC57ACu
 
-/* From the linker script. */
+/* Symbols of the linker script. */
 extern uint32_t ld_data_start[], ld_data_end[], ld_data_load[], ld_bss_start[], ld_bss_end[], ld_stack_guard[],
     ld_stack_start[], ld_stack_top[];
 
@@ -79,7 +79,8 @@ static void start_time(uint32_t clock_hz)
     SYST_CSR = 7; /* on, interrupt, CPU clock */
 }
 
-/* To C each symbol of the linker script is an object of its own, and pointers into two objects may not be compared. */
+/* The words from one address to another. They are compared as numbers: to C each symbol of the linker script is an
+ * object of its own, and pointers into two objects may not be compared. */
 static uint32_t words_between(const uint32_t *from, const uint32_t *to)
 {
     return (uint32_t)(((uintptr_t)to - (uintptr_t)from) / 4);

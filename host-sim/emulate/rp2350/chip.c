@@ -135,7 +135,7 @@ void chip_set_delays(struct chip *chip, uint32_t frame)
     chip->chance = (chip->seed + frame) * 2654435761U;
 }
 
-/* With delays a core waits for a random time, up to 30 us, after a random number of turns. */
+/* Makes a core wait for a random time, up to 30 us, after a random number of turns, if delays are asked for. */
 static void delay(struct chip *chip, struct core *core)
 {
     static const uint32_t most[4] = {1, 3, 30, 300};

@@ -107,7 +107,7 @@ static bool is_call(const struct core *core)
     return false;
 }
 
-/* Until then, or until the chip's limit, which falls when an event comes nearer. */
+/* Runs a core until a time, or until the chip's limit, which falls when an event comes nearer. */
 void core_run(struct core *core, uint64_t until)
 {
     struct chip *chip = core->chip;

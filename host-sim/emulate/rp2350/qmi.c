@@ -24,7 +24,8 @@
 #define MORE 6
 
 enum { DIRECT_CSR = 0x00, DIRECT_TX = 0x04, DIRECT_RX = 0x08, M0_TIMING = 0x0c, M0_RFMT = 0x10, M0_RCMD = 0x14 };
-/* Bits that there are (12.14.6); those of DIRECT_CSR that can be written, and that are modelled: not CS1's. */
+/* The bits that each register has (12.14.6); those of DIRECT_CSR that can be written, and that are modelled: not
+ * CS1's. */
 #define CSR_BITS        0xffdf7ccfU
 #define CSR_WRITABLE    0xffc00045U
 #define CSR_CS1         0x88
@@ -133,7 +134,7 @@ static bool is_busy(const struct chip *chip)
     return clocks || chip->now < qmi->selected_until;
 }
 
-/* With AUTO_CS0N the flash is selected while the QMI is busy. */
+/* Selects the flash while the QMI is busy, if AUTO_CS0N is set. */
 static void follow_busy(struct chip *chip)
 {
     if (chip->flash_chip.selected && (chip->qmi.csr & ASSERT_CS0N) == 0 && !is_busy(chip)) {
@@ -320,7 +321,7 @@ static bool at_page_break(const struct chip *chip, uint32_t address)
     return bytes != 0 && address % bytes == 0;
 }
 
-/* Until when the flash stays selected after a transfer. */
+/* The time until which the flash stays selected after a transfer. */
 static uint64_t cooldown(const struct chip *chip, uint32_t next)
 {
     const uint64_t cycles = at_page_break(chip, next) ? 0 : 64 * (uint64_t)(chip->qmi.timing >> 30);

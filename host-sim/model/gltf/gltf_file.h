@@ -53,7 +53,7 @@ struct gltf_file {
 #define GLTF_NONE      UINT32_MAX
 #define GLTF_COUNT_MAX 12000000u /* elements of an accessor */
 
-/* All of these return false, NULL or an empty span after writing file->error. */
+/* A function that fails returns false, NULL or an empty span after writing file->error. */
 bool gltf_file_failed(struct gltf_file *file, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool gltf_file_open(struct gltf_file *file, struct model_folder *folder);
 struct gltf_span gltf_file_view(struct gltf_file *file, uint32_t view);

@@ -35,7 +35,7 @@ int board_log_init(size_t bytes);
 void board_log_exit(void);
 u64 board_now(void); /* ns since the module was loaded */
 void board_log(const char *format, ...) __printf(1, 2);
-/* ... with bytes (at most 4000) in hexadecimal behind it. */
+/* Logs an event with bytes (at most 4000) in hexadecimal behind it. */
 void board_log_bytes(const u8 *bytes, size_t n, const char *format, ...) __printf(3, 4);
 /* Waits until there is room for n bytes and their line; may sleep. */
 void board_log_room(size_t n);
@@ -51,7 +51,7 @@ struct device;
 int board_gpio_init(struct device *parent);
 void board_gpio_exit(void);
 u64 board_gpio_levels(void);
-/* From now on level events are kept back; the levels now. */
+/* Keeps level events back from now on; returns the levels now. */
 u64 board_gpio_hold(void);
 /* What they are, with every line that has moved in between shown as moved; the level events go on. */
 u64 board_gpio_release(u64 levels);

@@ -14,7 +14,7 @@ struct ph_row_run {
     uint32_t pair; /* the first step is step + pair bend: that of the pair which the first pixel begins or ends */
 };
 
-/* False if the row has no pixel. */
+/* Finds the columns of the next row. False if it has no pixel. */
 static inline bool ph_next_row(const struct ph_tile_rows *r, struct ph_row_run *row)
 {
     const bool any = ph_tile_columns(r->row.left, r->row.right, r->columns, &row->first, &row->n);

@@ -12,7 +12,7 @@
 
 #define SAVED ra, s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11
 
-    /* From `at`, step, bend of u or v: the value at column t1 and, for pair t2, its step. */
+    /* Begins u or v, given its at, step and bend: the value at column t1 and, for pair t2, its step. */
     .macro begin_way value, by, at, step, bend
     mul \value, \bend, t1
     mul \by, \bend, t2
