@@ -5,7 +5,7 @@
  *   ph_pose_blend(pose, other, node_count, share)        optional: a cross-fade to another clip's pose
  *   ph_rig_places(&rig, pose, &root, places)             each node's place in the model
  *   ph_morph_vertices(&morph, weights, ..)               optional: the vertices of this moment before they are skinned
- *   ph_skin_matrices(&skin, places, matrices)            each joint's way from the bind pose
+ *   ph_skin_matrices(&skin, places, matrices)            each joint's motion from the bind pose
  *   ph_skin_vertices(&from, matrices, positions, normals) what struct ph_mesh draws, or ph_skin_mesh(r, ..) by two
  * cores
  *

@@ -1,4 +1,4 @@
-/* The vectors, behind boot2. */
+/* The vector table of an RP2040's image: it lies in flash behind boot2. */
     .syntax unified
     .section .vectors, "a"
     .word ld_stack_top, rp2_reset, rp2_on_fault, rp2_on_fault /* reset, NMI, hard fault */

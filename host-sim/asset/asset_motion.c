@@ -1,4 +1,4 @@
-/* The animation of an asset, see asset_mesh.h; its size, see asset.h. */
+/* asset: makes the animation of an asset (asset_mesh.h), and counts its bytes (asset.h). */
 #include "asset_mesh.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* The animation of a C file, see asset_write.c. */
+/* asset: writes the animation of a model into the C file that asset_write.c makes. */
 #include "asset_write.h"
 
 #include <inttypes.h>

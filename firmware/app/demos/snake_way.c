@@ -1,4 +1,4 @@
-/* Where the snake goes. See snake_way.h. */
+/* See snake_way.h. */
 #include "snake_way.h"
 
 #include "fx.h"

@@ -1,4 +1,4 @@
-/* The rows of the depth lab's tables. */
+/* See lab_formats.h. The formats that the tables of the depth lab have a row for. */
 #include "lab_formats.h"
 
 const struct lab_format lab_formats[] = {

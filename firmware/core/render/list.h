@@ -26,7 +26,7 @@ struct ph_ref {
 #define PH_LINK_AFTER 0x8000     /* or more: it is in no band's list, but drawn after the opaque triangles */
 
 enum ph_draw_kind {
-    PH_DRAW_SMALL = 1,     /* small triangles take the way of small triangles */
+    PH_DRAW_SMALL = 1,     /* small triangles are drawn as such */
     PH_DRAW_UVS = 2,       /* the corners are struct ph_corner, else struct ph_vertex */
     PH_DRAW_LINES = 4,     /* the references are lines */
     PH_DRAW_COLOURS = 8,   /* the light of a corner is its lit colour, RGB565 as a number */

@@ -1,7 +1,7 @@
 /*
- * Triangle set-up: edges, and which way a triangle takes. See setup.h.
+ * Triangle set-up: edges, and the choice of how a triangle is drawn (its kind). See setup.h.
  *
- * Most triangles of a mesh are small Gouraud ones: ph_setup_small of kernels.h does these. All others take setup_any.
+ * Most triangles of a mesh are small Gouraud ones: ph_setup_small of kernels.h sets these up, setup_any all others.
  */
 #include "tier.h"
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /*
- * Rows of texels: ph_texture_tile of texture_tile.h draws the usual ones (16-bit depth, full light, nearest
- * texel, up to 65,536 of them), draw_run all others. See texel_rows.h.
+ * Rows of texels: ph_texture_tile of texture_tile.h draws those that most textures need (16-bit depth, full light,
+ * nearest texel, up to 65,536 of them), draw_run all others. See texel_rows.h.
  */
 /* Kits on armv6m: -O2. */
 #include "texel_rows.h"

@@ -36,7 +36,7 @@ void ph_surface_begin(const struct ph_triangle *t, const struct ph_tile *tile, s
 /* Goes on to the next tile: its left side is the right side of the one before. */
 void ph_surface_next(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_surface *s);
 
-/* The way of u or v over a tile, in 2^-(25 + up) of their range; c: s->u or s->v. */
+/* Finds the coefficients of u or v over a tile, in 2^-(25 + up) of their range; c: s->u or s->v. */
 void ph_surface_way(struct ph_texel_way *way, const struct ph_corners *c, const struct ph_surface *s,
                     const struct ph_tile *tile, int up);
 

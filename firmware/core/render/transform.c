@@ -1,8 +1,8 @@
 /*
  * Vertices: one matrix for each mesh, the divide by w, clip codes. See transform.h.
  *
- * ph_vertices of vertices.h does this for the vertices of a perspective whose numbers have their usual size;
- * place_vertex here does it for all others.
+ * ph_vertices of vertices.h does thisfor vertices of a perspective that lie in front of the eye, in the guard
+ * band and nearer than 4096.0; place_vertex here does it for all others.
  */
 #include "transform.h"
 
@@ -125,8 +125,8 @@ PH_TIER(mesh) static int64_t rounded_centre(int32_t centre, int down)
     return (int64_t)((uint64_t)((uint32_t)centre << down | (uint32_t)1 << (down - 1)) << 32);
 }
 
-/* Prepares ph_vertices. False if it cannot take any vertex: it needs a perspective whose numbers have their usual
- * size. */
+/* Prepares ph_vertices. False if it cannot take any vertex: it needs a perspective with a near plane below 4096.0, and
+ * a focal length and a matrix within its range. */
 PH_TIER(mesh)
 static bool start_run(struct ph_vertex_run *run, const struct ph_renderer *r, const struct ph_clip_matrix *m)
 {
@@ -167,7 +167,8 @@ struct part_of_mesh {
     uint32_t codes;
 };
 
-/* The place of the next vertex in clip coordinates; usual: ph_vertices has stopped there. */
+/* The place of the next vertex in clip coordinates. usual: ph_vertices has stopped at it, and has computed its
+ * place. */
 PH_TIER(scenery)
 static PH_NOINLINE struct fx_vec3 before_divide(const struct ph_vertex_run *run, const struct ph_clip_matrix *m,
                                                 bool usual)

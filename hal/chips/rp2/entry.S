@@ -1,5 +1,6 @@
 /*
- * What C cannot express; vectors.S has the vectors. Symbols ld_... come from the linker script.
+ * The start of an image on an Arm core, and what else C cannot express; vectors.S has the vectors. Symbols ld_... come
+ * from the linker script.
  */
     .syntax unified
     .thumb

@@ -1,5 +1,6 @@
 /*
- * The bus: DMA channel 0 feeds one of the two SPI units (PL022). The code moves chip select and D/C by hand.
+ * The bus of an RP2040 or RP2350: DMA channel 0 feeds one of the two SPI units (PL022). The code moves chip select and
+ * D/C by hand.
  *
  * They move only while the bus is idle: the DMA is done AND the unit is no longer busy, for up to 8 words are still in
  * its FIFO when the DMA is done. While D/C and word width stay the same, the next transfer starts as soon as the DMA

@@ -1,4 +1,5 @@
-/* The start of main(), faults and the end. The ROM comes here through boot2.S and entry.S. */
+/* How an image for an RP2040 or RP2350 comes to main(), and what happens at a fault or at its end. The ROM comes here
+ * through boot2.S and entry.S. */
 #include "port.h"
 #include <cpu.h>
 #include "flash.h"

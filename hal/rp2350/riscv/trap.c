@@ -1,4 +1,5 @@
-/* The handlers of interrupts. None interrupts another. RP2350 datasheet 3.8.4.2, 3.8.6.1. */
+/* The handlers of interrupts on the RP2350's RISC-V cores. None interrupts another. RP2350 datasheet 3.8.4.2,
+ * 3.8.6.1. */
 #include <cpu.h>
 
 #include "chips/rp2/rp2.h"

@@ -1,4 +1,4 @@
-/* Time, the cores in turns, resets. */
+/* The emulated RP2350 as a whole: time goes on, the cores run in turns, resets. */
 #include "chip.h"
 
 #include <stdarg.h>

@@ -1,4 +1,5 @@
-/* Resets (7.5), oscillator, PLLs, clocks and ticks (8), the power-on state machine (7.4) and the watchdog (12.9). */
+/* Clocks of the emulated RP2350: resets (datasheet 7.5), oscillator, PLLs, clocks and ticks (8), the power-on state
+ * machine (7.4) and the watchdog (12.9). */
 #include "chip.h"
 
 #include <string.h>

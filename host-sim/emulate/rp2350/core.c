@@ -1,4 +1,4 @@
-/* A core of either instruction set: how it runs, sleeps and wakes. */
+/* A core of the emulated RP2350, of either instruction set: how it runs, sleeps and wakes. */
 #include "chip.h"
 
 #include <stddef.h>

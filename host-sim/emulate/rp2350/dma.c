@@ -1,5 +1,5 @@
-/* DMA (12.6): channels that read memory and write to an SPI unit at its pace. The chip's table of registers refuses
- * what is not modelled. */
+/* DMA of the emulated RP2350 (datasheet 12.6): channels that read memory and write to an SPI unit at its pace. The
+ * chip's table of registers refuses what is not modelled. */
 #include "chip.h"
 
 enum { EN = 1, INCR_READ = 1 << 4, BSWAP = 1 << 24, BUSY = 1 << 26, REQUEST_SPI1_TX = 26 };

@@ -1,4 +1,5 @@
-/* What the chip says of itself: its id (12.15), why it was reset (6.4), the frequency counter (8.1.6.2). */
+/* What the emulated RP2350 says of itself: its id (datasheet 12.15), why it was reset (6.4), the frequency counter
+ * (8.1.6.2). */
 #include "chip.h"
 
 #include <stdlib.h>

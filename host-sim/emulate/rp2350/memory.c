@@ -1,4 +1,4 @@
-/* What lies where (2.2). */
+/* The address map of the emulated RP2350 (datasheet 2.2): which memory or peripheral an access reaches. */
 #include "chip.h"
 
 #include <string.h>

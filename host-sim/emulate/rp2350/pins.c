@@ -1,4 +1,4 @@
-/* Pins (9): IO_BANK0 and PADS_BANK0, and the UART that hangs on two of them (12.1). */
+/* Pins of the emulated RP2350 (datasheet 9): IO_BANK0 and PADS_BANK0, and the UART that hangs on two of them (12.1). */
 #include "chip.h"
 
 enum { FUNCTION_UART = 2, FUNCTION_SIO = 5, FUNCTION_NONE = 31 };

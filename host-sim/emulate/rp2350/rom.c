@@ -1,5 +1,5 @@
-/* What the boot ROM does (5) once it has taken an image: it starts core 0 and later core 1, and has a table of
- * functions. */
+/* What the boot ROM of the emulated RP2350 does (datasheet 5) once it has taken an image: it starts core 0 and later
+ * core 1, and has a table of functions. */
 #include "chip.h"
 
 #include <string.h>

@@ -1,4 +1,5 @@
-/* The loop of blocks (5.1.5, 5.9.1), and which of its image definitions the ROM takes (5.2.7). */
+/* The boot ROM of the emulated RP2350: the loop of blocks (datasheet 5.1.5, 5.9.1), and which of its image definitions
+ * the ROM takes (5.2.7). */
 #include "rom.h"
 
 #include <stddef.h>

@@ -1,4 +1,5 @@
-/* The items of a block (5.9.2 .. 5.9.4), and what they say about the start of an image. */
+/* The boot ROM of the emulated RP2350: the items of a block (datasheet 5.9.2 .. 5.9.4), and what they say about the
+ * start of an image. */
 #include "rom.h"
 
 #include <stddef.h>

@@ -1,4 +1,4 @@
-/* SIO (3.1): the cores' numbers, pins, FIFOs and spin locks. */
+/* SIO of the emulated RP2350 (datasheet 3.1): the cores' numbers, pins, FIFOs and spin locks. */
 #include "chip.h"
 
 static uint32_t pull(struct core *core)

@@ -1,4 +1,5 @@
-/* SPI (12.3): two PL022, which send a word after the other from a FIFO; what they receive nobody reads. */
+/* SPI of the emulated RP2350 (datasheet 12.3): two PL022, which send a word after the other from a FIFO; what they
+ * receive nobody reads. */
 #include "chip.h"
 
 enum { CR0 = 0x00, CR1 = 0x04, DR = 0x08, SR = 0x0c, CPSR = 0x10, DMACR = 0x24 };

@@ -1,4 +1,5 @@
-/* PNG without a library. Sources: PNG (ISO/IEC 15948), RFC 1950 (zlib), RFC 1951 (deflate: stored blocks). */
+/* See png_out.h. PNG without a library, not compressed. Sources: PNG (ISO/IEC 15948), RFC 1950 (zlib), RFC 1951
+ * (deflate: stored blocks). */
 #include "png_out.h"
 
 #include "crc32.h"

@@ -1,4 +1,5 @@
-/* Without SDL2 there is no window to open; the other functions are never called with one. */
+/* See sim_window.h. Stands in where SDL2 is not installed: no window can be opened, so the other functions are never
+ * called. */
 #include "sim_window.h"
 
 #include "complain.h"

@@ -2,7 +2,8 @@
 @ one 5 or 6, a call some 40. As long as nothing is drawn where a row goes, a pixel's two samples take 15 together.
 @
 @ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0, plus 1 if the row ends with
-@ the first sample of a pixel, plus 2 before its last 32 samples; r8 gd, r9 glight, r10 left, r11 right, r12 d at column 0, lr light at column 0.
+@ the first sample of a pixel, plus 2 before its last 32 samples; r8 gd, r9 glight, r10 left, r11 right, r12 d at
+@ column 0, lr light at column 0.
 #include "../thumb.inc"
 #include "../offsets.inc"
 #include "registers.inc"

@@ -1,4 +1,4 @@
-@ fx_mul_far of fx.h for ARMv6-M: four products of 16 bits, 21 instructions and the way back. A sum of two parts never
+@ fx_mul_far of fx.h for ARMv6-M: four products of 16 bits, 21 instructions and the return. A sum of two parts never
 @ carries out of 32 bits.
 #include "../thumb.inc"
 

@@ -33,7 +33,7 @@
     subs \to, \to, r7
     .endm
 
-    @ r2, r7 and lr become the way from the first corner, at r1, to column 0 of the first row.
+    @ r2, r7 and lr become the distance from the first corner, at r1, to column 0 of the first row.
     .macro to_first_row
     movs r3, #128
     ldmia r1, {r1, r2}

@@ -300,7 +300,7 @@ set_light: @ of the row's first four, and of the next
     str r5, [r0]
     subs r0, #texel_light
     b set
-lit_shining: @ this row and the next ones take the other way
+lit_shining: @ this row and the next ones are drawn as at `any`
     bl store_lit
     ldr r0, [sp, #self]
     ldr r1, [sp, #row_of]

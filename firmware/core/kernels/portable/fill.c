@@ -1,4 +1,4 @@
-/* ph_fill of kernels.h. */
+/* ph_fill of kernels.h, in C for any CPU. */
 #include "kernels.h"
 
 typedef uint32_t __attribute__((may_alias)) two_pixels;

@@ -1,4 +1,4 @@
-/* ph_float_depths of kernels.h. */
+/* ph_float_depths of kernels.h, in C for any CPU. */
 #include "float_depths.h"
 
 #include "kernels.h"

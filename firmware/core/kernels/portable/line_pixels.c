@@ -1,4 +1,4 @@
-/* ph_line_pixels of kernels.h. */
+/* ph_line_pixels of kernels.h, in C for any CPU. */
 #include "kernels.h"
 #include "span.h"
 

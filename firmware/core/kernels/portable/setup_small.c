@@ -1,4 +1,4 @@
-/* ph_setup_small and ph_setup_usual of kernels.h. */
+/* ph_setup_small and ph_setup_usual of kernels.h, in C for any CPU. */
 #include "float_depths.h"
 #include "kernels.h"
 #include "list.h"

@@ -1,4 +1,4 @@
-/* ph_small_gouraud of kernels.h. */
+/* ph_small_gouraud of kernels.h, in C for any CPU. */
 #include "kernels.h"
 #include "span.h"
 #include "triangle.h"

@@ -1,4 +1,4 @@
-/* ph_span_blend of kernels.h. */
+/* ph_span_blend of kernels.h, in C for any CPU. */
 #include "blend.h"
 #include "kernels.h"
 

@@ -7,7 +7,7 @@
  *   loop     per pixel and row, and the assembly that steps over vertices and triangles
  *   mesh     per vertex, joint or triangle of every mesh
  *   figure   per triangle of a textured, animated figure; the second core's share of the work
- *   scenery  large triangles, textures in perspective, vertices by the general way, lines, text
+ *   scenery  large triangles, textures in perspective, vertices in the general case, lines, text
  *   few      triangles that are cut, divided or bent: few of a frame
  *   seldom   once a frame or rarer, or what few programs use: it stays in flash, even where RAM is plenty
  *   (none)   once a frame or mesh; an image may have such code where it likes

@@ -1,4 +1,4 @@
-/* ph_wide_gouraud of kernels.h. */
+/* ph_wide_gouraud of kernels.h, in C for any CPU. */
 #include "kernels.h"
 
 #include "edge.h"

@@ -4,7 +4,7 @@
  *
  * Registers: a0 the struct ph_texel_run, a1 depth at column 0, s0 s1 s2 at, step, at_dy of u, s3 s4 s5 of v, s6 left, s7
  * right, s8 d at column 0, ra: rows that are left << 16 | number of pixels so far; those of texels.inc; t2 scratch. The
- * stack begins with the way from depth to pixels.
+ * stack begins with the distance from depth to pixels.
  */
 #include "rv32.inc"
 #include "../offsets.inc"

@@ -3,7 +3,7 @@
  * row 80 (15 more in a clamped texture), a call some 70.
  *
  * Registers: a0 the struct ph_tile_rows, a1 depth at column 0, s0 s1 s2 s3 at, step, bend, at_dy of u, s4 s5 s6 s7 of v,
- * s8 left, ra right, t2 d at column 0; those of texels.inc. 52(sp) is the way from depth to
+ * s8 left, ra right, t2 d at column 0; those of texels.inc. 52(sp) is the distance from depth to
  * pixels, 56(sp) below 0 when more than 32 pixels follow.
  */
 #include "rv32.inc"

@@ -1,4 +1,4 @@
-/* ph_small_gouraud of kernels.h for x86-64. */
+/* ph_small_gouraud of kernels.h for x86-64, with edges and planes in vectors (small_rows.h). */
 #include "kernels.h"
 #include "small_rows.h"
 
