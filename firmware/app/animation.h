@@ -64,8 +64,8 @@ struct animation_stage *animation_begin(struct demo_arena *arena, const struct a
  * NULL. */
 void animation_move(const struct animation_stage *stage, const struct ph_renderer *r, uint64_t frame);
 
-/* A demo of it, before an eye of its own, or (NULL) on the turntable; see demo_still_init(), demo_turntable_init(). The
- * camera is that for the bind pose. */
+/* Makes a demo of an animation, before an eye of its own, or (NULL) on the turntable; see demo_still_init(),
+ * demo_turntable_init(). The camera is that for the bind pose. */
 int animation_init(struct demo_context *context, const struct animation *animation, const struct ph_mesh *meshes,
                    uint32_t mesh_count, const struct demo_eye *eye);
 int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);

@@ -12,7 +12,8 @@ static const struct {
 #include "arenas.inc"
 };
 
-/* x86 with 32 bits is none: it aligns 64-bit members less. */
+/* Whether this machine lays out structs as a 32-bit target does. x86 with 32 bits does not: it aligns 64-bit members
+ * less. */
 static bool is_target(void)
 {
     return sizeof(void *) == 4 && _Alignof(uint64_t) == 8;

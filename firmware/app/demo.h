@@ -14,7 +14,7 @@ struct demo_arena {
     size_t size, used;
 };
 
-/* n bytes, 8-byte aligned; NULL: the arena is full. */
+/* Takes n bytes from an arena, 8-byte aligned; NULL: the arena is full. */
 void *demo_alloc(struct demo_arena *arena, size_t n);
 
 /* The parts of a demo's camera that a user may replace; all zeros: none. */
@@ -25,7 +25,7 @@ struct demo_camera {
     struct ph_projection projection;
 };
 
-/* All zeros but for arena, width and height. */
+/* What a demo is told and keeps. A caller sets arena, width and height; all else is zero at first. */
 struct demo_context {
     struct demo_arena arena;
     void *state; /* the demo's own, from the arena */
@@ -68,7 +68,7 @@ struct demo {
     uint8_t blur_radius; /* px; not 0: the demo wants scratch memory */
     bool by_name_only;   /* the select button passes over it */
 
-    /* Builds meshes. 0 or PH_ERR_NOMEM. */
+    /* Builds the demo's meshes. 0 or PH_ERR_NOMEM. */
     int (*init)(struct demo_context *context);
 
     /* ph_frame_begin and ph_draw_* for frame number `frame` (any value; the same one may come again, with other

@@ -40,7 +40,8 @@ struct picture_memory {
     uint32_t depth_bytes, bin_bytes, wire_bytes, sample_bytes, band_bytes; /* multiples of 8 */
 };
 
-/* A scene's memory behind it: list of the frame, arena, scratch. Offsets and bytes are this machine's. */
+/* A scene's memory, which lies behind that of the picture: list of the frame, arena, scratch. Offsets and bytes are
+ * this machine's. */
 struct scene_memory {
     bool whole;            /* no triangle need be left out */
     bool lacks_scratch;    /* the demo wants scratch memory, and there is no room */

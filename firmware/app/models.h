@@ -107,7 +107,7 @@ int model_teapot(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t segmen
 int model_edges(struct demo_arena *arena, struct ph_mesh *mesh);
 int model_quad_edges(struct demo_arena *arena, struct ph_mesh *mesh);
 
-/* One part with one material (not copied) for all triangles. Takes 16 bytes. */
+/* Gives a mesh one part with one material (not copied) for all triangles. Takes 16 bytes. */
 int model_material(struct demo_arena *arena, struct ph_mesh *mesh, const struct ph_material *material);
 
 #endif

@@ -224,7 +224,7 @@ static bool may_go_ahead(const struct runner *runner)
            sizeof(struct runner_ahead) + list_bytes <= runner->config.ahead_bytes;
 }
 
-/* The buttons are taken to be as they were. */
+/* Lets the other core make the scene of a frame. The buttons are taken to be as they were. */
 void runner_ahead(struct runner *runner, uint32_t frame)
 {
     struct runner_ahead *const a = runner->config.ahead;
@@ -278,7 +278,7 @@ static uint32_t draw_band(struct runner *runner, uint32_t band)
     return lines;
 }
 
-/* If the panel gives no edge the frame is drawn without it. */
+/* Waits for the panel's tearing-effect edge. If it gives none the frame is drawn without it. */
 static int wait_for_edge(struct runner *runner)
 {
     const struct hal *hal = &runner->hal;

@@ -52,11 +52,11 @@ struct runner {
     bool sending;          /* a frame's last bands may still be on the wire */
 };
 
-/* 0; PH_ERR_NOMEM: memory_bytes or budget_bytes is too small for the bands and the scene's meshes; PH_ERR_INVAL: no
- * such picture; or an error of the panel (HAL_E..). */
+/* Opens a runner on a kit. 0; PH_ERR_NOMEM: memory_bytes or budget_bytes is too small for the bands and the scene's
+ * meshes; PH_ERR_INVAL: no such picture; or an error of the panel (HAL_E..). */
 int runner_open(struct runner *runner, const struct hal *hal, const struct runner_config *config);
 
-/* 0, or an error of the renderer (PH_ERR_..) or the panel (HAL_E..). */
+/* Draws a frame and sends it. 0, or an error of the renderer (PH_ERR_..) or the panel (HAL_E..). */
 int runner_frame(struct runner *runner, uint32_t frame);
 
 /* The steps of runner_frame. runner_buttons adds `more` to the kit's own buttons; up and down together mean select,
@@ -74,7 +74,8 @@ int runner_take(struct runner *runner, const struct demo *demo);
  * RGB888 rows. Call it only after runner_finish() or runner_take(). */
 uint32_t runner_crc(struct runner *runner);
 
-/* Waits for the last bit. After the first frame display and backlight go on. 0 (also if nothing is sent), or HAL_E.. */
+/* Ends the last frame: waits for its last bit. After the first frame display and backlight go on. 0 (also if nothing is
+ * sent), or HAL_E.. */
 int runner_finish(struct runner *runner);
 
 int runner_close(struct runner *runner);

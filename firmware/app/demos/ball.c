@@ -85,7 +85,7 @@ static void reflect(struct flight *f, uint32_t wall)
     }
 }
 
-/* On the right wall, moving away from it. */
+/* The start of the ball: on the right wall, moving away from it. */
 static struct flight start(void)
 {
     const fx_t z = FX_ONE * -31 / 10;
@@ -169,7 +169,7 @@ static void draw_frustum(struct ph_renderer *r, const struct ball *b, bool outsi
     }
 }
 
-/* A square grid on the far plane. */
+/* Draws a square grid on the far plane. */
 static void draw_far_plane(struct ph_renderer *r, const struct ball *b)
 {
     for (fx_t at = -FAR_Z + FX_ONE; at < FAR_Z; at += FX_ONE) {
@@ -194,7 +194,7 @@ static int ball_camera(const struct demo_context *context, struct ph_renderer *r
     return demo_begin(context, r, &view, &projection, &demo_daylight, ph_rgb565(10, 14, 26));
 }
 
-/* Two lines, one above the other. */
+/* Draws the ball's trail as two lines, one above the other. */
 static void draw_trail(struct ph_renderer *r, const struct ball *b, uint32_t frame)
 {
     struct fx_vec3 from = placed(demo_ball_position(&b->way, frame));

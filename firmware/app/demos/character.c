@@ -166,7 +166,7 @@ static int character_init(struct demo_context *context)
     return make_ground(arena, &c->ground, c->detail->ground, c->tiles);
 }
 
-/* 0: it walks; FX_ONE: it runs; between them it fades. */
+/* How far the figure runs: 0: it walks; FX_ONE: it runs; between them it fades. */
 static fx_t running_at(const struct character *c, uint32_t frame)
 {
     const uint32_t half = LOOP_FRAMES / 2, in = frame % half, steady = half - FADE_FRAMES;
@@ -174,7 +174,7 @@ static fx_t running_at(const struct character *c, uint32_t frame)
     return !c->gaits[1] ? 0 : frame % LOOP_FRAMES < half ? up : FX_ONE - up;
 }
 
-/* The angle on the circle, which is as long as the way of a whole loop. */
+/* The angle on the circle that the figure walks; the circle is as long as the way of a whole loop. */
 static uint32_t angle_at(const struct character *c, uint32_t frame)
 {
     uint32_t way = 0, whole = 0;
@@ -216,7 +216,7 @@ static void pose_figure(struct character *c, uint32_t frame, uint32_t heading)
     }
 }
 
-/* A tube, or its shadow. */
+/* Draws a tube, or its shadow. */
 static int draw_tube(const struct character *c, struct ph_renderer *r, uint32_t which, bool is_shadow)
 {
     const struct ph_plane_equation plane = {{0, FX_Q30_ONE, 0}, 0};

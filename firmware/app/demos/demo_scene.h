@@ -41,7 +41,8 @@ struct ph_projection demo_in_half(const struct demo_context *context, struct ph_
 void demo_half_text(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
                     uint16_t *pixels, bool second, int32_t line, const char *text);
 
-/* The row of the picture in which such a line begins; it is PH_FONT_HEIGHT rows high, and has an outline of one. */
+/* The row of the picture in which line `line` of a half begins; it is PH_FONT_HEIGHT rows high, and has an outline of
+ * one. */
 int32_t demo_half_text_y(const struct demo_context *context, bool second, int32_t line);
 
 /* Calls ph_frame_begin with the user's camera if there is one, else with the demo's. */
@@ -64,7 +65,7 @@ bool demo_view_is(const struct demo_context *context, const struct demo *demo, u
 /* A camera at eye that looks at target, y up. */
 struct ph_xform demo_look(fx_t eye_x, fx_t eye_y, fx_t eye_z, fx_t target_x, fx_t target_y, fx_t target_z);
 
-/* b turned about y and placed at (x, y, z). */
+/* The transform that turns about y and then moves to (x, y, z). */
 struct ph_xform demo_place(fx_t x, fx_t y, fx_t z, uint32_t turn32);
 
 /* The ball's way from its start to the wall that turns it back, and its size (ball.c). */

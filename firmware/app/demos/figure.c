@@ -307,7 +307,7 @@ struct patch {
     uint8_t red, green, blue;
 };
 
-/* Each lies over those before it. */
+/* Patches of the texture; each lies over those before it. */
 static const struct patch patches[] = {
     {0, 31, 0, 32, 236, 186, 148}, /* head and neck */
     {0, 9, 0, 32, 92, 52, 28},     /* hair */

@@ -18,7 +18,7 @@
 #define FIGURE_ARM_RINGS  17
 #define FIGURE_LEG_RINGS  17
 
-/* The nodes of its rig. */
+/* The nodes of a figure's rig. */
 enum {
     FIGURE_HIPS,
     FIGURE_SPINE,

@@ -39,7 +39,7 @@
 enum { VIEW_ALL, VIEW_CAMERA, VIEW_PLANE, VIEW_DEPTH };
 enum { LINE_BOX, LINE_PLANE, LINE_RAY, LINE_CHORD, LINES };
 
-/* In sixteenths: the wall, the chimney, the roof, and the door, which lies on the wall. */
+/* The house's corners in sixteenths: the wall, the chimney, the roof, and the door, which lies on the wall. */
 static const int8_t house[CORNERS][2] = {{-14, -14}, {14, -14}, {14, 4},   {-14, 4}, {8, 12},
                                          {12, 9},    {12, 18},  {8, 18},   {-18, 4}, {18, 4},
                                          {0, 18},    {-9, -14}, {-2, -14}, {-2, -3}, {-9, -3}};

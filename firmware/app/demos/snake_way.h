@@ -33,7 +33,7 @@ struct snake_passage {
     uint8_t in, out;
 };
 
-/* All zero while it plays by itself. */
+/* The snake while it is steered; all zero while it plays by itself. */
 struct snake_steering {
     bool on;
     int8_t turn;     /* asked for in the next cell: 1 left, -1 right */

@@ -247,7 +247,7 @@ static fx_t about_row_times(const int32_t row[3], const struct fx_vec3 *p)
     return ((row[0] >> 16) * (p->x >> 10) + (row[1] >> 16) * (p->y >> 10) + (row[2] >> 16) * (p->z >> 10)) >> 4;
 }
 
-/* False for most stars outside the picture, at a fiftieth of what a line there costs. */
+/* Whether a star may be seen: false for most stars outside the picture, at a fiftieth of what a line there costs. */
 static bool may_be_seen(const struct ph_renderer *r, const struct fx_vec3 *p)
 {
     const struct ph_projection *const lens = &r->projection;
@@ -265,7 +265,7 @@ static bool may_be_seen(const struct ph_renderer *r, const struct fx_vec3 *p)
            fx_mul_sat(fx_abs_sat(y), lens->scale_y_q20 >> 4) < reach;
 }
 
-/* Lines of about a pixel and a half. */
+/* Draws the stars as lines of about a pixel and a half. */
 static void draw_stars(const struct demo_context *context, struct ph_renderer *r, const struct solar *s)
 {
     const int32_t smaller = context->width < context->height ? context->width : context->height;
@@ -280,7 +280,7 @@ static void draw_stars(const struct demo_context *context, struct ph_renderer *r
     }
 }
 
-/* Half as far again as the sun, behind the planets, and as much larger. */
+/* Draws the sun's glow behind the planets: half as far again as the sun, and as much larger. */
 static int draw_glow(struct ph_renderer *r, const struct solar *s)
 {
     const struct fx_vec3 eye = ph_xform_inverse_rigid(&r->view).t, middle = {0, 0, 0};
@@ -291,7 +291,7 @@ static int draw_glow(struct ph_renderer *r, const struct solar *s)
     return ph_draw_mesh(r, &s->glow, &at);
 }
 
-/* A sphere, or an orbit. */
+/* Draws a sphere, or an orbit. */
 static int draw_round(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *node, fx_t radius)
 {
     const struct ph_xform size = ph_xform_scale(radius);

@@ -106,7 +106,7 @@ static void make_platter(struct platter *p, fx_t radius, fx_t y)
                                .part_count = 1};
 }
 
-/* gap: between the lowest point and the platter, in radii of the meshes. */
+/* Makes the turntable for meshes. gap: between the lowest point and the platter, in radii of the meshes. */
 static int stand(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count, struct fx_vec3 centre,
                  fx_t gap)
 {

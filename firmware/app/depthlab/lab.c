@@ -3,7 +3,7 @@
 #include "lab_num.h"
 #include "lab_search.h"
 
-/* Lies in the caller's memory. */
+/* The state of a measurement, which lies in the caller's memory. */
 struct work {
     struct lab_probe probe;
     struct lab_search search;
@@ -55,7 +55,7 @@ static void put_length(const struct lab *lab, uint32_t lsbs)
     put_field(lab, text);
 }
 
-/* format,bits,near,far */
+/* Writes the columns format,bits,near,far of a row. */
 static void put_head(const struct lab *lab, const struct lab_format *format)
 {
     lab->put(lab->context, format->name);

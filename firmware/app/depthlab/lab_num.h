@@ -10,7 +10,7 @@
 
 #include <stdbool.h>
 
-/* m 2^e, m in 2^63 .. 2^64 - 1; zero: m = 0. */
+/* A number m 2^e, m in 2^63 .. 2^64 - 1; zero: m = 0. */
 struct lab_num {
     uint64_t m;
     int e;
@@ -26,13 +26,13 @@ struct lab_num lab_num_div(struct lab_num a, struct lab_num b); /* b is not 0 */
 /* log2(v) in 2^-56, rounded down at each step, hence never decreasing; v > 0. */
 uint64_t lab_log2_q56(uint32_t v);
 
-/* Six significant digits, the last rounded to nearest: "0.0742188", "181", "5.96046e-08" below 1e-4. */
+/* Writes six significant digits, the last rounded to nearest: "0.0742188", "181", "5.96046e-08" below 1e-4. */
 void lab_num_text(struct lab_num v, char text[LAB_TEXT_SIZE]);
 
-/* A length in LSBs of Q16.16 as metres with ten digits, which tell every two lengths apart: "0.07421875". */
+/* Writes a length in LSBs of Q16.16 as metres with ten digits, which tell every two lengths apart: "0.07421875". */
 void lab_length_text(uint32_t lsbs, char text[LAB_TEXT_SIZE]);
 
-/* The shortest decimal that stands for v in Q16.16: "0.1" for 6554. v >= 0. */
+/* Writes the shortest decimal that stands for v in Q16.16: "0.1" for 6554. v >= 0. */
 void lab_fx_text(fx_t v, char text[LAB_TEXT_SIZE]);
 
 void lab_u32_text(uint32_t v, char text[LAB_TEXT_SIZE]);

@@ -27,10 +27,11 @@ struct lab_probe {
     uint16_t pixel;
 };
 
-/* 0, PH_ERR_INVAL, or PH_ERR_NOMEM: the renderer's triangles are larger than the room here. */
+/* Opens a probe of a format. 0, PH_ERR_INVAL, or PH_ERR_NOMEM: the renderer's triangles are larger than the room
+ * here. */
 int lab_probe_open(struct lab_probe *p, const struct lab_format *format, fx_t near_z, fx_t far_z);
 
-/* w from near_z to far_z; larger is nearer. */
+/* The depth code at distance w, from near_z to far_z; larger is nearer. */
 uint32_t lab_code(struct lab_probe *p, fx_t w);
 
 /* Whether the code never rises with w, so that a search may bisect. `pinhole-depth monotone` proves it if drawn. */

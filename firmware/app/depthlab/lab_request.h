@@ -13,7 +13,8 @@
 #define LAB_REQUEST_COUNT 500
 #define LAB_REQUEST_MARK  "> "
 
-/* 0, PH_ERR_INVAL: the line is no request; nothing was put. PH_ERR_NOMEM: memory is too small for the tables. */
+/* Answers a request. 0, PH_ERR_INVAL: the line is no request; nothing was put. PH_ERR_NOMEM: memory is too small for
+ * the tables. */
 int lab_request(const char *line, void *memory, size_t memory_bytes, lab_put *put, void *context);
 
 #endif

@@ -33,7 +33,7 @@ static void log_named(const char *name, uint32_t value)
     self_test_number(port_log, value, false, 1);
 }
 
-/* "frame 117, 24 frames/s, left out 0 triangles 0 vertices, stack 4032" */
+/* Writes to the log: "frame 117, 24 frames/s, left out 0 triangles 0 vertices, stack 4032". */
 static void log_frame(const struct runner *runner, uint32_t frame, uint32_t rate)
 {
     log_named("frame ", frame);
@@ -138,7 +138,7 @@ static void log_facts(const void *context, self_test_put *put)
     port_facts(log_fact);
 }
 
-/* A failed CRC is in the report; only an error stops the image. */
+/* Writes the report of a kit. A failed CRC is in the report; only an error stops the image. */
 static int write_report(struct runner *runner, struct console *console, uint32_t frames)
 {
     const struct self_test_machine machine = {.build = image_build, .frames = frames, .facts = log_facts};

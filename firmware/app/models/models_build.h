@@ -16,11 +16,11 @@ struct model_build {
 int model_begin(struct demo_arena *arena, struct ph_mesh *mesh, struct model_build *build, uint32_t vertices,
                 uint32_t triangles);
 
-/* Append triangle (a, b, c); triangles (a, b, c) and (a, c, d). */
+/* Append the triangle (a, b, c), or the quad of triangles (a, b, c) and (a, c, d). */
 void model_triangle(struct model_build *build, uint32_t a, uint32_t b, uint32_t c);
 void model_quad(struct model_build *build, uint32_t a, uint32_t b, uint32_t c, uint32_t d);
 
-/* Q2.30 to Q16.16 and to Q1.14, rounded to nearest. */
+/* Convert Q2.30 to Q16.16 and to Q1.14, rounded to nearest. */
 fx_t model_q16(int32_t q30);
 int16_t model_q14(int32_t q30);
 
