@@ -82,7 +82,7 @@ struct board {
 extern const struct board *const board_list[];
 extern const uint32_t board_count;
 
-/* NULL: there is no board of that name. */
+/* Finds a board by its name. NULL: there is none. */
 const struct board *board_find(const char *name);
 
 #endif

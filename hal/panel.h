@@ -82,7 +82,7 @@ struct panel {
 extern const struct panel *const panel_list[];
 extern const uint32_t panel_count;
 
-/* NULL: there is no panel of that name. */
+/* Finds a panel by its name. NULL: there is none. */
 const struct panel *panel_find(const char *name);
 
 /* The start of the window for a rotation, in the controller's addresses, and the rotation byte. */
@@ -210,7 +210,7 @@ struct panel_sender_ops {
     int (*rows)(void *context, struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
     int (*end)(void *context, struct panel_driver *d);
 
-    /* Another scene begins: the next frame is better sent whole. NULL: that makes no difference. */
+    /* Tells that another scene begins: the next frame is better sent whole. NULL: that makes no difference. */
     void (*forget)(void *context);
 };
 

@@ -70,10 +70,10 @@ size_t panel_diff_bytes(uint16_t width, uint16_t height);
 int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint32_t refresh_frames, void *memory,
                     size_t bytes);
 
-/* 0, or an error as of the driver's functions. After an error the next frame is sent whole. */
+/* Begins a frame. 0, or an error as of the driver's functions. After an error the next frame is sent whole. */
 int panel_diff_begin(struct panel_diff *diff, struct panel_driver *d);
 
-/* The pixels are the caller's again when it returns. */
+/* Sends what changed in a band. The pixels are the caller's again when it returns. */
 int panel_diff_rows(struct panel_diff *diff, struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
 
 int panel_diff_end(struct panel_diff *diff, struct panel_driver *d);

@@ -49,8 +49,9 @@ struct panel_tiles {
 /* Memory for a picture of this size in bands of so many lines. Pictures are at most 1024 pixels wide. */
 size_t panel_tiles_bytes(uint16_t width, uint16_t height, uint16_t lines);
 
-/* memory: panel_tiles_bytes() or more, 4-byte aligned; it belongs to the tiles as long as they are used. HAL_EINVAL:
- * too little memory, no bands, or another format than RGB565. The first frame is sent whole. */
+/* Prepares tiles for an open driver. memory: panel_tiles_bytes() or more, 4-byte aligned; it belongs to the tiles as
+ * long as they are used. HAL_EINVAL: too little memory, no bands, or another format than RGB565. The first frame is
+ * sent whole. */
 int panel_tiles_init(struct panel_tiles *t, const struct panel_driver *d, uint16_t lines, void *memory, size_t bytes);
 
 /* A tile that the panel has lost, or whose change was missed, is sent again within so many frames. */
@@ -60,7 +61,7 @@ uint32_t panel_tiles_refresh_frames(const struct panel_tiles *t);
  * whole. */
 void panel_tiles_forget(struct panel_tiles *t);
 
-/* 0, or an error as of the driver's functions. After an error the next frame is sent whole. */
+/* Begins a frame. 0, or an error as of the driver's functions. After an error the next frame is sent whole. */
 int panel_tiles_begin(struct panel_tiles *t, struct panel_driver *d);
 
 /*

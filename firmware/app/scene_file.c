@@ -9,7 +9,7 @@
 #define SCALE_MAX      (1 << 30) /* Q20: a focal length of 2^18 pixels in a picture of 512 */
 #define COORDINATE_MAX (1 << 30) /* Q16.16: the buttons move a camera and its planes by as much again at most */
 
-/* What a mesh takes of the arena. */
+/* What is made in the arena for each mesh. */
 struct drawn {
     struct ph_part part;
     struct ph_material material;
@@ -118,7 +118,8 @@ static bool is_in_range(int32_t place)
     return place > -COORDINATE_MAX && place < COORDINATE_MAX;
 }
 
-/* ph_frame_begin() would take it, whatever the panel, and demo_orbit() can move it. */
+/* Whether a scene's camera is right: ph_frame_begin() would take it, whatever the panel, and demo_orbit() can move
+ * it. */
 static bool is_camera_right(const struct scene_file_head *head)
 {
     return (head->lens_kind == PH_ORTHOGRAPHIC || (head->lens_kind == PH_PERSPECTIVE && head->near_z > 0)) &&
@@ -137,7 +138,7 @@ static bool is_name_right(const char name[SCENE_FILE_NAME])
     return n < SCENE_FILE_NAME && name[n] == '\0';
 }
 
-/* What the head itself says. */
+/* Checks the head alone. Returns NULL, or what is wrong. */
 static const char *head_wrong(const struct scene_file_head *head)
 {
     return (head->flags & ~(uint32_t)(SCENE_FILE_CAMERA | SCENE_FILE_BARE)) != 0 ? "is broken: it has unknown flags"

@@ -60,7 +60,7 @@ struct scene_file_mesh {
     uint32_t moving; /* offset of struct scene_file_moving; 0: it stands still */
 };
 
-/* See struct animation. nodes: struct ph_rig_node. */
+/* The animation of a scene, as struct animation has it. nodes: struct ph_rig_node. */
 struct scene_file_motion {
     uint32_t nodes, rest_weights, clips; /* offsets */
     uint32_t node_count, weight_count, clip_count;
@@ -82,7 +82,7 @@ struct scene_file_track {
     uint8_t path, interpolation, width, frac;
 };
 
-/* See struct animation_mesh. */
+/* A mesh that moves, as struct animation_mesh has it. */
 struct scene_file_moving {
     uint32_t joints, inverse_bind, influences; /* offsets: uint16_t, struct ph_xform, struct ph_influence or 0 */
     uint32_t targets, target_normals;          /* offsets; 0: none */

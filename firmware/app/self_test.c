@@ -212,7 +212,7 @@ static int measure_bus(self_test_put *put, struct runner *runner)
     return status;
 }
 
-/* Returns NULL if there is none for this size. */
+/* Finds the known CRCs for pictures of this size. NULL: there are none. */
 static const struct known *find_known(uint32_t width, uint32_t height)
 {
     for (size_t i = 0; i < sizeof known_frames / sizeof known_frames[0]; i++) {
@@ -223,7 +223,7 @@ static const struct known *find_known(uint32_t width, uint32_t height)
     return NULL;
 }
 
-/* 1: it is not the known CRC; 0: it is, or none is known; or an error. */
+/* Compares a picture with its known CRC. 1: it is another; 0: it is the same, or none is known; or an error. */
 static int compare(self_test_put *put, struct runner *runner, uint32_t demo)
 {
     int status = runner_take(runner, demo_find(known_demos[demo]));

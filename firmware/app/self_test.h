@@ -31,7 +31,7 @@ struct self_test_machine {
  * the test did not end. */
 int self_test_report(struct runner *runner, const struct self_test_machine *machine, self_test_put *put);
 
-/* Puts the number with at least so many digits. */
+/* Puts a number with at least `digits` digits. */
 void self_test_number(self_test_put *put, uint32_t value, bool hex, uint32_t digits);
 
 #endif

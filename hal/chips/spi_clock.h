@@ -43,7 +43,7 @@ static inline uint32_t spi_clock_stm32f4(uint32_t input_hz, uint32_t hz, uint32_
     return 0;
 }
 
-/* What the board's unit makes of hz; 0: nothing that slow. */
+/* The clock that the board's SPI unit makes of hz; 0: nothing that slow. */
 static inline uint32_t spi_clock_of(const struct board *board, uint32_t hz)
 {
     uint32_t br = 0;

@@ -198,7 +198,7 @@ static uint32_t ft232h_time_us(void *context)
     return (uint32_t)(now_ns() / 1000);
 }
 
-/* Counts from the last bit. An error of finish() comes again with the next operation. */
+/* Waits, counting from the last bit. An error of finish() comes again with the next operation. */
 static void ft232h_delay_us(void *context, uint32_t us)
 {
     struct timespec end;
@@ -210,7 +210,7 @@ static void ft232h_delay_us(void *context, uint32_t us)
     }
 }
 
-/* Asks for all pins. When a contact bounces just then, the next call sees it right. */
+/* Reads the buttons: asks for all pins. When a contact bounces just then, the next call sees it right. */
 static uint32_t ft232h_buttons(void *context)
 {
     static const uint8_t ask[] = {MPSSE_GET_LOW, MPSSE_GET_HIGH, MPSSE_SEND_NOW};
@@ -238,7 +238,7 @@ static void add_output(struct ft232h *h, const struct board_pin *pin, bool level
     h->levels |= level != pin->active_low ? bit : 0U;
 }
 
-/* The panel is not selected, runs and is dark; the clock rests. */
+/* Starts with a panel that is not selected, runs and is dark; the clock rests. */
 static int start(struct ft232h *h)
 {
     static const uint8_t modes[] = {MPSSE_60_MHZ, MPSSE_ADAPTIVE_OFF, MPSSE_LOOPBACK_OFF};

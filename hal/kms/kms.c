@@ -33,7 +33,8 @@ const char *kms_error(const struct kms *k)
 
 /* ---- pixels ------------------------------------------------------------------------------------- */
 
-/* A pixel of the picture, turned clockwise as panel.h says, on an upright display in its own pixels. */
+/* Finds the place of the picture's pixel on the display: turned clockwise as panel.h says, on an upright display in its
+ * own pixels. */
 static void turn(const struct kms *k, const struct panel_driver *d, uint32_t *x, uint32_t *y)
 {
     const uint32_t px = *x, py = *y, right = k->width - 1U, bottom = k->height - 1U;
@@ -55,7 +56,7 @@ static void turn(const struct kms *k, const struct panel_driver *d, uint32_t *x,
     }
 }
 
-/* RGB565 in wire order as 8 bits a channel: 31 and 63 become 255. */
+/* Converts RGB565 in wire order to 8 bits a channel: 31 and 63 become 255. */
 static uint32_t widen(uint16_t pixel)
 {
     uint8_t bytes[2];
@@ -102,7 +103,7 @@ static bool draw_line(const struct kms *k, const struct panel_driver *d, uint32_
     return first < end;
 }
 
-/* The last rectangle grows when there is no room for another. */
+/* Adds a rectangle that changed. The last one grows when there is no room for another. */
 static void add_clip(struct kms *k, struct kms_clip clip)
 {
     if (k->clip_count < KMS_CLIPS_MAX) {
@@ -141,7 +142,7 @@ static int sender_begin(void *context, struct panel_driver *d)
     return HAL_OK;
 }
 
-/* A frame is shown with its last line: the next one may be long in coming. */
+/* Draws lines of a frame. It is shown with its last line: the next one may be long in coming. */
 static int sender_rows(void *context, struct panel_driver *d, const uint16_t *pixels, uint32_t lines)
 {
     struct kms *k = context;
@@ -238,7 +239,7 @@ static uint32_t kms_time_us(void *context)
     return (uint32_t)((uint64_t)now.tv_sec * 1000000U + (uint64_t)now.tv_nsec / 1000U);
 }
 
-/* No controller needs the pauses. */
+/* Does not wait: no controller needs the pauses. */
 static void kms_delay_us(void *context, uint32_t us)
 {
     (void)context, (void)us;

@@ -50,7 +50,7 @@ struct kms {
     char error[KMS_ERROR_SIZE];
 };
 
-/* 0, or HAL_ENODEV (no such card or display), HAL_EACCES, HAL_ENOSYS. */
+/* Finds the display that k->where names. 0, or HAL_ENODEV (no such card or display), HAL_EACCES, HAL_ENOSYS. */
 int kms_find(struct kms *k);
 
 extern const struct hal_ops kms_ops;

@@ -10,7 +10,7 @@
 
 struct kms_card;
 
-/* XRGB8888: a 32-bit word a pixel. */
+/* A buffer of XRGB8888: a 32-bit word a pixel. */
 struct kms_buffer {
     uint32_t *pixels;
     uint32_t stride; /* pixels from a line to the next */
@@ -26,7 +26,7 @@ struct kms_clip {
  */
 int kms_card_open(struct kms_card **out, const char *where, char error[KMS_ERROR_SIZE]);
 
-/* The size of its mode. */
+/* The size of the card's mode. */
 void kms_card_size(const struct kms_card *card, uint32_t *width, uint32_t *height);
 
 /* Shows an empty buffer. 0, or an error with its line in error. */

@@ -35,7 +35,7 @@ static uint32_t buttons_of(const uint8_t bits[KEY_CNT / 8])
     return buttons;
 }
 
-/* Returns a descriptor, or a negative errno; ENODEV: it has none of our keys. */
+/* Opens an input device. Returns a descriptor, or a negative errno; ENODEV: it has none of our keys. */
 static int open_device(unsigned number)
 {
     char path[40];
@@ -52,7 +52,7 @@ static int open_device(unsigned number)
     return device;
 }
 
-/* A terminal that is not ours (a job in the background) stays as it is. */
+/* Stops the echo of the terminal. One that is not ours (a job in the background) stays as it is. */
 static void quiet_terminal(struct kms_keys *keys)
 {
     if (tcgetpgrp(STDIN_FILENO) != getpgrp() || tcgetattr(STDIN_FILENO, &keys->terminal) != 0) {

@@ -4,7 +4,7 @@
 
 #include "linux_look.h"
 
-/* Linux' errno (> 0) as a status of hal.h. A number that hal.h does not list becomes HAL_EIO. */
+/* Converts Linux' errno (> 0) to a status of hal.h. A number that hal.h does not list becomes HAL_EIO. */
 int linux_status(int number);
 
 /* Writes the line, cut if it is too long, and returns status. */

@@ -23,7 +23,7 @@ const char *linux_gpio_version(void);
 /* Whether edges arrive debounced. */
 bool linux_gpio_debounces(void);
 
-/* path: "/dev/gpiochip0". NULL: errno says why. */
+/* Opens a chip by its path, "/dev/gpiochip0". NULL: errno says why. */
 void *linux_gpio_chip_open(const char *path);
 void linux_gpio_chip_close(void *chip);
 int linux_gpio_chip_label(void *chip, char *label, size_t size);

@@ -56,7 +56,7 @@ int linux_line_gpio_number(const char *name)
     return strncmp(name, "GPIO", 4) == 0 && all_digits(name + 4, 3) ? (int)strtol(name + 4, NULL, 10) : -1;
 }
 
-/* The offset on this chip, or < 0. */
+/* The offset of the wanted line on this chip, or < 0. */
 static int match(void *chip, const struct wanted *wanted)
 {
     char label[32] = "";

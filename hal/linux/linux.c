@@ -84,7 +84,8 @@ static int open_lines(struct linux_hal *h)
     return status < 0 ? status : linux_line_open(&h->tearing, h->board, &pins->tearing, &edges, h->error);
 }
 
-/* A button connects its line to ground (active low) or to the supply; a pull-up or pull-down makes the other level. */
+/* Opens the lines of the buttons. A button connects its line to ground (active low) or to the supply; a pull-up or
+ * pull-down makes the other level. */
 static int open_buttons(struct linux_hal *h)
 {
     for (uint32_t i = 0; i < h->board->button_count && i < BOARD_BUTTONS_MAX; i++) {
@@ -240,7 +241,7 @@ static uint32_t linux_time_us(void *context)
     return (uint32_t)(now_ns() / 1000);
 }
 
-/* Counts from the last bit. An error of the bus stays for the next write or wait. */
+/* Waits, counting from the last bit. An error of the bus stays for the next write or wait. */
 static void linux_delay_us(void *context, uint32_t us)
 {
     struct linux_hal *h = context;

@@ -40,7 +40,7 @@ struct linux_line_look {
 int linux_line_look(const struct board *board, const struct board_pin *pin, struct linux_line_look *look,
                     char error[LINUX_ERROR_SIZE]);
 
-/* "1.6.3"; NULL: built without libgpiod. */
+/* The version of libgpiod, "1.6.3"; NULL: built without libgpiod. */
 const char *linux_gpiod_version(void);
 
 #endif

@@ -43,7 +43,7 @@ uint32_t linux_write_mean(uint32_t mean_ns, uint64_t took_ns)
     return mean_ns == 0 ? (uint32_t)ns : (uint32_t)(mean_ns + (ns - (int64_t)mean_ns) / WRITE_WEIGHT);
 }
 
-/* The bus is idle when this starts and when it returns, so D/C may move first. */
+/* Sends a piece. The bus is idle when this starts and when it returns, so D/C may move first. */
 static int send_piece(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     const bool moves = h->dc_now != (int)dc;
@@ -79,8 +79,8 @@ static size_t next_piece(struct linux_hal *h)
     return h->run_got != last || piece == h->most || h->flushed > h->sent ? piece : 0;
 }
 
-/* While bytes are being sent, they and the kit belong to this thread. A message that goes round the end of the ring
- * continues in a copy behind it. */
+/* The thread that sends. While bytes are being sent, they and the kit belong to this thread. A message that goes round
+ * the end of the ring continues in a copy behind it. */
 static void *sender(void *context)
 {
     struct linux_hal *h = context;

@@ -25,13 +25,14 @@ void linux_sender_flush(struct linux_hal *h);
 /* Waits until the last bit is out. The wait ends, for the kernel's SPI drivers time out. */
 void linux_sender_wait(struct linux_hal *h);
 
-/* linux_sender_wait; returns the error of an earlier write, once. */
+/* Waits as linux_sender_wait does, and returns the error of an earlier write, once. */
 int linux_sender_idle(struct linux_hal *h);
 
 /* Puts D/C at this level. Only while the bus is idle. */
 int linux_sender_dc(struct linux_hal *h, enum hal_dc dc);
 
-/* The mean (0: none yet) after one more short write: the last ones count most, and one late write counts little. */
+/* The mean time of a short write (0: none yet) after one more: the last ones count most, and one late write counts
+ * little. */
 uint32_t linux_write_mean(uint32_t mean_ns, uint64_t took_ns);
 
 #endif

@@ -65,7 +65,7 @@ static void gpio_set_bit(uint32_t pin, uint32_t offset)
     REG32(gpio_base(pin) + offset) |= 1U << pin % 32;
 }
 
-/* The address within the data register is the mask of the pins that are read or written. */
+/* Sets a pin. The address within the data register is the mask of the pins that are read or written. */
 static void gpio_write(uint32_t pin, bool high)
 {
     REG32(gpio_base(pin) + (4U << pin % 32)) = high ? 0xFF : 0;
@@ -92,8 +92,9 @@ static void gpio_function(uint32_t pin)
 /* ---- start, log ------------------------------------------------------------------------------------- */
 
 /*
- * An 8 MHz crystal and the PLL give 200 MHz / 4. After a reset the main oscillator is off. It is given the time to
- * start that StellarisWare's SysCtlClockSet gives it; the chip runs on its internal oscillator meanwhile.
+ * Starts the clock: an 8 MHz crystal and the PLL give 200 MHz / 4. After a reset the main oscillator is off. It is
+ * given the time to start that StellarisWare's SysCtlClockSet gives it; the chip runs on its internal oscillator
+ * meanwhile.
  */
 static void start_clock(void)
 {
@@ -135,7 +136,7 @@ uint32_t port_start(void)
     return CLOCK_HZ;
 }
 
-/* Bits of RESC add up until somebody clears them. */
+/* Tells why the chip was reset. Bits of RESC add up until somebody clears them. */
 void port_facts(port_put put) /* calls fact */
 {
     static const char *const reasons[] = {" the reset pin;", " power on;", " brown-out;",
@@ -218,7 +219,8 @@ static int lm3s6965_bus_wait(void *context)
     return HAL_OK;
 }
 
-/* The data sheet wants SSE 0 for every change (Synchronous Serial Interface, Initialization and Configuration). */
+/* Sets the clock of the bus. The data sheet wants SSE 0 for every change (Synchronous Serial Interface, Initialization
+ * and Configuration). */
 static void set_clock(uint32_t prescaler, uint32_t control)
 {
     SSI_CR1 = 0;
@@ -267,7 +269,7 @@ static int lm3s6965_open(void *context, const struct board *board)
     return HAL_OK;
 }
 
-/* The panel is reset with the CPU and has no backlight. */
+/* Sets no pin: the panel is reset with the CPU and has no backlight. */
 static int lm3s6965_pin_set(void *context, enum hal_pin pin, bool level)
 {
     (void)context;

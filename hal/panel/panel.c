@@ -145,7 +145,7 @@ static int send_border(struct panel_driver *d, const uint8_t *command, uint32_t 
     return stream(d, c->parameters_are_commands ? HAL_COMMAND : HAL_DATA, sent, 2U * c->address_bytes);
 }
 
-/* `again`: send the borders even if the controller has them. */
+/* Opens a window. `again`: send the borders even if the controller has them. */
 static int open_window(struct panel_driver *d, uint32_t x, uint32_t y, bool again)
 {
     const struct panel_controller *c = d->config.panel->controller;

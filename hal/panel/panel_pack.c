@@ -133,7 +133,8 @@ static int put_byte(struct panel_driver *d, uint8_t byte)
     return status;
 }
 
-/* Four bits that are left over get a byte of their own; there is no pixel to their right. */
+/* Sends the last bits of a window. Four bits that are left over get a byte of their own; there is no pixel to their
+ * right. */
 static int pack_rest(struct panel_driver *d)
 {
     if (!d->carry_full) {
@@ -166,7 +167,7 @@ int panel_pack_line(struct panel_driver *d, const uint8_t *pixels)
     return d->config.format == PANEL_GREY4 ? pack_rest(d) : HAL_OK;
 }
 
-/* Where two lines share a byte, a last line may have its bytes for itself. */
+/* Converts the last line of a window. Where two lines share a byte, it may have its bytes for itself. */
 static int pack_last_line(struct panel_driver *d)
 {
     int status = HAL_OK;

@@ -10,7 +10,7 @@
 #define MPU_RBAR 0xe000ed9c
 #define MPU_RASR 0xe000eda0
 
-/* No access within the region of the MPU, elsewhere as without one. */
+/* Forbids access to a region by the MPU; elsewhere access is as without one. */
 static inline void guard_stack(uint32_t from, uint32_t bytes_log2)
 {
     REG(MPU_RNR) = 0;

@@ -31,7 +31,8 @@ HAL_TIER(loop) static void divide_signed(int32_t dividend, int32_t divisor)
     wait();
 }
 
-/* The quotient goes into r0, the remainder into r1. Reading the quotient, the last, marks the divider as free. */
+/* Reads both results of a division: the quotient goes into r0, the remainder into r1. Reading the quotient, the last,
+ * marks the divider as free. */
 HAL_TIER(loop) static uint64_t both(void)
 {
     const uint32_t remainder = REG(SIO_DIV_REMAINDER);

@@ -44,7 +44,7 @@ static void tick(void) /* called as vector */
     machine.tick_us_at += TICK_US;
 }
 
-/* Within an exception SysTick's interrupt has to wait, so this counts its tick. */
+/* Counts a tick of SysTick within an exception, where its interrupt has to wait. */
 static void tick_in_fault(void)
 {
     if ((ICSR & 511) != 0 && (SYST_CSR & 1U << 16) != 0) {
@@ -93,7 +93,7 @@ static void fill(uint32_t *to, uint32_t words, uint32_t value)
     }
 }
 
-/* Leaves out the frame of this very function. */
+/* Fills the unused stack with its own addresses, but for the frame of this very function. */
 static __attribute__((noinline)) void paint_stack(void)
 {
     const uint32_t below = words_between(ld_stack_start, (const uint32_t *)__builtin_frame_address(0));
@@ -119,7 +119,7 @@ uint32_t port_stack_used(void)
     return 4 * (words - unused);
 }
 
-/* A boot loader before the image may have left its own vectors in VTOR. */
+/* The reset vector. A boot loader before the image may have left its own vectors in VTOR. */
 void cortexm_start(void) /* called as vector */
 {
     VTOR = (uint32_t)(uintptr_t)vectors;
@@ -158,7 +158,7 @@ void cortexm_dark(void)
     panel_close(&d);
 }
 
-/* Without a debugger or emulator the semihosting call is a fault, which comes back here. */
+/* Ends the image. Without a debugger or emulator the semihosting call is a fault, which comes back here. */
 void port_exit(int status)
 {
     if (!machine.ending) {
@@ -183,7 +183,7 @@ static void log_hex(const char *name, uint32_t value)
     port_log(text);
 }
 
-/* saved: the stack had room for pc and lr, so they are known. */
+/* Reports a fault and ends. saved: the stack had room for pc and lr, so they are known. */
 void cortexm_fault_report(uint32_t pc, uint32_t lr, uint32_t saved)
 {
     if (machine.ending) {

@@ -56,7 +56,7 @@ static const struct entry *const table[] = {
 
 static const uint32_t no_copies[1]; /* memory that entries point to and that a start copies from flash: none */
 
-/* Found by its marks. */
+/* The header of the binary information, which readers find by its marks. */
 __attribute__((section(".binary_info"), used)) static const struct {
     uint32_t begin;
     const struct entry *const *first, *const *end;

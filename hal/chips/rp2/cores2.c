@@ -58,7 +58,7 @@ HAL_TIER(loop) static inline void take(uint32_t run)
     push(0);
 }
 
-/* Core 1. */
+/* The main loop of core 1. */
 static _Noreturn void serve(void) /* called as vector */ /* calls run, each, ahead */
 {
     rp2_guard((uint32_t)(uintptr_t)stack, GUARD_BYTES_LOG2);

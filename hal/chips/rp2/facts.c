@@ -28,7 +28,7 @@ static bool fc0_becomes(uint32_t bit, uint32_t wanted)
     return true;
 }
 
-/* In kHz, by the crystal, which clk_ref comes from. 0: it stands. */
+/* Measures a clock in kHz, by the crystal, which clk_ref comes from. 0: the clock stands. */
 static uint32_t measured_khz(uint32_t source)
 {
     if (!fc0_becomes(FC0_RUNNING, 0)) {

@@ -40,7 +40,7 @@
 #define FLASH_PADS_LEAST_PS    (1110 + 470)
 #define FLASH_PADS_MOST_PS     (2500 + 1500)
 
-/* For constants, in #if as well. */
+/* Macros for constants, which #if takes as well. */
 #define FLASH_HALVES_PS(clk_sys_hz, halves) ((halves) * (500000000000 / (clk_sys_hz)))
 #define FLASH_SETUP_PS(clk_sys_hz, divider, halves, tclqv_ps)                                                          \
     (FLASH_HALVES_PS(clk_sys_hz, (divider) + (halves)) - FLASH_PADS_MOST_PS - (tclqv_ps))

@@ -12,7 +12,7 @@ void rp2_pin_function(uint32_t pin, uint32_t function)
     REG(IO_BANK0_CTRL(pin)) = function;
 }
 
-/* The level is set before the pin drives it. */
+/* Makes a pin an output. Its level is set before the pin drives it. */
 void rp2_pin_output(uint32_t pin, bool level)
 {
     rp2_pin_write(pin, level);

@@ -130,7 +130,7 @@ HAL_TIER(interrupt) static void go_on(void)
     }
 }
 
-/* The DMA has read a whole row. */
+/* Interrupt: the DMA has read a whole row. */
 HAL_TIER(interrupt) void rp2_spi_interrupt(void)
 {
     REG(DMA_INTS0) = 1;

@@ -6,7 +6,7 @@
 
 #include <libusb-1.0/libusb.h>
 
-/* libusb's error (< 0) as a status of hal.h. */
+/* Converts libusb's error (< 0) to a status of hal.h. */
 int ft232h_usb_status(int error);
 
 /* Opens the FT232H of this serial number (NULL: the only one). */

@@ -54,7 +54,7 @@ static uint64_t now_ms(void)
     return (uint64_t)now.tv_sec * 1000U + (uint64_t)now.tv_nsec / 1000000U;
 }
 
-/* Twice the time of all bytes that may be under way, and FT232H_WAIT_MS. */
+/* How long to wait for a transfer: twice the time of all bytes that may be under way, and FT232H_WAIT_MS. */
 static unsigned patience_ms(const struct ft232h_usb *link)
 {
     return FT232H_WAIT_MS + (unsigned)(2ULL * BUFFERS * BUFFER_SIZE * 8 * 1000 / link->hz);

@@ -102,7 +102,7 @@ static int open_path(const char *path)
     return open(path, O_RDWR | O_CLOEXEC);
 }
 
-/* 0, or an errno; ENODEV: no display is connected to it, or not this one. */
+/* Tries a card. 0, or an errno; ENODEV: no display is connected to it, or not this one. */
 static int try_card(struct kms_card *card, const char *connector)
 {
     uint64_t dumb = 0;
@@ -298,7 +298,7 @@ static bool wait_flip(const struct kms_card *card, const bool *done)
     return true;
 }
 
-/* A driver that cannot flip sets the mode once more: that shows the buffer, too. */
+/* Shows the next buffer by a flip. A driver that cannot flip sets the mode once more: that shows the buffer, too. */
 static int flip(struct kms_card *card, char *error)
 {
     const struct surface *s = &card->surface[card->back];
@@ -328,7 +328,8 @@ int kms_card_show(struct kms_card *card, const struct kms_clip *clips, uint32_t 
                : kms_fail(error, errno, "%s: DIRTYFB", card->name);
 }
 
-/* What was shown before is shown again; if that is gone (a console's buffer), the kernel restores its console. */
+/* Closes the card. What was shown before is shown again; if that is gone (a console's buffer), the kernel restores its
+ * console. */
 void kms_card_close(struct kms_card *card)
 {
     if (card == NULL) {

@@ -90,7 +90,7 @@ static int settle(struct gpiod_line_settings *settings, const struct linux_gpio_
     return status;
 }
 
-/* A request with these settings, NULL and errno. */
+/* Requests a line with these settings; NULL and errno if that fails. */
 static struct gpiod_line_request *take(void *chip, unsigned offset, struct gpiod_line_settings *settings,
                                        const struct linux_gpio_want *want)
 {
