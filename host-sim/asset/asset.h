@@ -50,10 +50,11 @@ struct asset {
     uint32_t listed;              /* triangles of a frame at most, of what asset_measure() looked at */
 };
 
-/* False: built without meshoptimizer, nothing can be simplified. */
+/* Whether a model can be simplified; false: built without meshoptimizer. */
 extern const bool asset_can_simplify;
 
-/* 0 or COMPLAINED. More triangles than asked for remain where a model cannot be simplified that far. */
+/* Makes an asset of a model. 0 or COMPLAINED. More triangles than asked for remain where a model cannot be simplified
+ * that far. */
 int asset_make(struct asset *asset, const struct model *model, const struct asset_limits *limits);
 void asset_free(struct asset *asset);
 

@@ -11,7 +11,7 @@ struct asset_options {
     bool report, help;
 };
 
-/* 0 or PH_ERR_INVAL. */
+/* Reads the command line. 0 or PH_ERR_INVAL. */
 int asset_options_read(struct asset_options *o, int argc, char *const argv[]);
 
 void asset_options_help(void);

@@ -23,7 +23,7 @@ static uint32_t append(struct writer *to, const void *from, size_t n)
     return at;
 }
 
-/* offset: where its texels are already, or 0. */
+/* Writes a texture. offset: where its texels are already, or 0. */
 static struct scene_file_texture write_texture(struct writer *to, const struct ph_texture *t, uint32_t offset)
 {
     if (t == NULL) {

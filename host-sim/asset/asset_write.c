@@ -4,13 +4,13 @@
 
 #include <inttypes.h>
 
-/* Several values a line, and no line longer than usual in a C file. */
+/* Separates the values of an array: several a line, and no line longer than others in a C file. */
 static void separate(FILE *file, uint32_t i, uint32_t per_line)
 {
     fputs(i % per_line == 0 ? "\n    " : " ", file);
 }
 
-/* INT32_MIN has no literal. */
+/* Writes a number; INT32_MIN has no literal. */
 static void put_number(FILE *file, int32_t value)
 {
     if (value == INT32_MIN) {

@@ -151,7 +151,7 @@ static void put_clip_data(FILE *file, const struct ph_clip *clip, uint32_t c)
     fputs(clip->track_count > 0 ? "};\n" : "    {0}};\n", file);
 }
 
-/* Only letters, digits, space, - and _ of a name go into the file. */
+/* Writes a name, of which only letters, digits, space, - and _ go into the file. */
 static void put_name(FILE *file, const char *name)
 {
     for (; *name != '\0'; name++) {

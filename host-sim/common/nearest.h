@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-/* Name i of a list, or NULL at its end. */
+/* Returns name i of a list, or NULL at its end. */
 typedef const char *nearest_list(const void *from, size_t i);
 
 /* Returns "did you mean NAME? " with the name that takes the fewest changed, added or lost letters, at most a third of

@@ -7,22 +7,22 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Decimal digits only, min .. max. */
+/* Reads a number of decimal digits only, min .. max. */
 bool option_text_u32(const char *text, uint32_t min, uint32_t max, uint32_t *out);
 
-/* "WxH", each 1 .. max. */
+/* Reads "WxH", each 1 .. max. */
 bool option_text_size(const char *text, uint16_t max, uint16_t *width, uint16_t *height);
 
-/* One decimal number that fits Q16.16, without a space before it; *rest is the text behind it. */
+/* Reads one decimal number that fits Q16.16, without a space before it; *rest is the text behind it. */
 bool option_text_fx(const char *text, fx_t *out, const char **rest);
 
-/* `count` numbers with commas between them; *rest is the text behind them. */
+/* Reads `count` numbers with commas between them; *rest is the text behind them. */
 bool option_text_fx_list(const char *text, fx_t *out, int count, const char **rest);
 
 /* Returns the index of text in names[count], or PH_ERR_INVAL. */
 int option_text_choice(const char *text, const char *const names[], int count);
 
-/* "0", "90", "180" or "270" degrees as quarter turns. */
+/* Reads "0", "90", "180" or "270" degrees as quarter turns. */
 bool option_text_turns(const char *text, uint8_t *out);
 
 /* What --depth takes: enum ph_depth_format, and bits of exponent of a float ("float16-e5"), 0: as the lens needs. */

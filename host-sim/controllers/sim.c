@@ -76,7 +76,7 @@ void sim_bit(struct sim *sim, enum hal_dc dc, unsigned bit)
     }
 }
 
-/* D/C changes after four of the bits, or not at all. */
+/* Sends a byte bit by bit. D/C changes after four of the bits, or not at all. */
 static void send_byte_bitwise(struct sim *sim, enum hal_dc dc, uint8_t byte, bool racy)
 {
     enum hal_dc other = dc == HAL_DATA ? HAL_COMMAND : HAL_DATA;

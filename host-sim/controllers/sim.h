@@ -44,7 +44,7 @@ struct sim_counters sim_counters(const struct sim *sim);
 /* Simulated time since power-on. */
 uint64_t sim_time_ns(const struct sim *sim);
 
-/* enum hal_button that are held down from now on. */
+/* Sets the buttons (enum hal_button) that are held down from now on. */
 void sim_buttons_set(struct sim *sim, uint32_t buttons);
 
 /* ---- complaints --------------------------------------------------------------------------------- */
@@ -72,12 +72,13 @@ struct sim_virtual {
     char title[40];
 };
 
-/* width, height: 1 .. 1024, else HAL_EINVAL. The result points into *v. format RGB565, 62.5 MHz, upright. */
+/* Makes a board with a panel of any size. width, height: 1 .. 1024, else HAL_EINVAL. The result points into *v. format
+ * RGB565, 62.5 MHz, upright. */
 int sim_virtual(struct sim_virtual *v, uint16_t width, uint16_t height);
 
 /* ---- lower entries, for tests ------------------------------------------------------------------- */
 
-/* One bit on the wire, with D/C as it stands at that bit; 8 make a byte, highest first. */
+/* Sends one bit on the wire, with D/C as it stands at that bit; 8 make a byte, highest first. */
 void sim_bit(struct sim *sim, enum hal_dc dc, unsigned bit);
 
 #endif

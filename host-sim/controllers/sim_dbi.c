@@ -81,7 +81,7 @@ static void reset(struct sim *sim)
 
 /* ---- pixels ------------------------------------------------------------------------------------- */
 
-/* MY MX MV BGR (MADCTL's bits), turned over by ST7789's LCMCTRL. */
+/* The bits MY MX MV BGR of MADCTL, turned over by ST7789's LCMCTRL. */
 static uint8_t madctl_of(const struct sim *sim)
 {
     const struct sim_dbi *d = &sim->u.dbi;
@@ -89,7 +89,7 @@ static uint8_t madctl_of(const struct sim *sim)
            (uint8_t)((d->lcm & 0x40) << 1 | (d->lcm & 0x08) << 3 | (d->lcm & 0x02) << 4 | (d->lcm & 0x20) >> 2);
 }
 
-/* MV swaps the axes: these are the addresses as the host sees them. */
+/* The size of the memory as the host addresses it: MV swaps the axes. */
 static uint32_t host_width(const struct sim *sim)
 {
     return madctl_of(sim) & 0x20 ? sim->glass.ram_height : sim->glass.ram_width;
@@ -157,7 +157,7 @@ static void check_epf(struct sim *sim)
     }
 }
 
-/* One bit a colour, two pixels a byte: xxRGBRGB. */
+/* Takes a byte of two pixels, with one bit a colour: xxRGBRGB. */
 static void take_3_bits(struct sim *sim, uint8_t byte)
 {
     for (int i = 3; i >= 0; i -= 3) {
@@ -249,7 +249,8 @@ static void software_reset(struct sim *sim)
     sim->u.dbi.ready_ns = next_command(sim);
 }
 
-/* GC9A01, 6.5: FEh and EFh one after the other open the registers of levels 2 and 3 until the next reset. */
+/* Unlocks registers of a GC9A01 (6.5): FEh and EFh one after the other open those of levels 2 and 3 until the next
+ * reset. */
 static void unlock(struct sim_dbi *d, uint8_t code)
 {
     if (d->unlock != 2) {
@@ -302,7 +303,7 @@ static void set_format(struct sim *sim, uint8_t value)
     sim->u.dbi.format = format;
 }
 
-/* NL: 8 (n + 1) lines, at most those of the memory. */
+/* Sets how many lines are driven, by NL: 8 (n + 1), at most those of the memory. */
 static void set_lines(struct sim *sim, uint8_t value)
 {
     const uint32_t lines = 8 * (value + 1U);
@@ -461,7 +462,7 @@ static bool from_last_line(const struct sim_dbi *d)
     return ((d->scan & 0x40) != 0) != ((d->lcm & 0x01) != 0);
 }
 
-/* NULL: a line that is not driven. */
+/* Finds the cell of the memory that a place of the glass shows. NULL: its line is not driven. */
 static const struct sim_cell *cell(const struct sim *sim, uint32_t x, uint32_t y)
 {
     const struct sim_glass *glass = &sim->glass;

@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* panel, controller, glass, memory, first column and row; mirrored, bgr, complement, round, backlit */
+/* Columns: panel, controller, glass, memory, first column and row; mirrored, bgr, complement, round, backlit. */
 static const struct sim_glass glasses[] = {
     {"st7789-240x240", &sim_model_st7789, 240, 240, 240, 320, 0, 0, false, false, true, false, true},
     {"st7789-135x240", &sim_model_st7789, 135, 240, 240, 320, 52, 40, false, false, true, false, true},

@@ -41,7 +41,7 @@ struct sim_glass {
     bool backlit;
 };
 
-/* NULL: no such panel. */
+/* Finds the glass of a panel. NULL: there is none. */
 const struct sim_glass *sim_glass_find(const struct panel *panel, struct sim_glass *made);
 
 struct sim_cell {
@@ -49,7 +49,7 @@ struct sim_cell {
     uint8_t written;
 };
 
-/* MIPI DBI controllers. */
+/* The state of a MIPI DBI controller. */
 struct sim_dbi {
     const struct sim_command *command; /* being received; NULL: none */
     uint8_t code;
@@ -76,7 +76,7 @@ struct sim_dbi {
     uint64_t nap_ns;   /* earliest SLPIN and SWRESET */
 };
 
-/* Solomon Systech controllers. */
+/* The state of a controller of Solomon Systech. */
 struct sim_ssd {
     const struct sim_command *command; /* being received, or taking pixels; NULL: none */
     bool refused;                      /* it has no effect */

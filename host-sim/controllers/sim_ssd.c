@@ -94,7 +94,8 @@ static uint32_t widen6(uint32_t v)
     return (v & 63) << 2 | (v & 63) >> 4;
 }
 
-/* 65k colours (A[7:6] 00 or 01): two bytes. 262k: three bytes, six bits at the low end of each. */
+/* Takes a byte of an SSD1351's pixels. 65k colours (A[7:6] 00 or 01): two bytes. 262k: three bytes, six bits at the low
+ * end of each. */
 static void ssd1351_data(struct sim *sim, uint8_t byte)
 {
     struct sim_ssd *s = &sim->u.ssd;
@@ -113,7 +114,7 @@ static void ssd1351_data(struct sim *sim, uint8_t byte)
     }
 }
 
-/* One byte is two pixels side by side; A0h bit 1 says which half is the left one. */
+/* Takes a byte of an SSD0323's pixels: two side by side; A0h bit 1 says which half is the left one. */
 static void ssd0323_data(struct sim *sim, uint8_t byte)
 {
     struct sim_ssd *s = &sim->u.ssd;
@@ -224,7 +225,7 @@ static void execute(struct sim *sim)
     }
 }
 
-/* SSD1351: FDh 16h locks all commands but itself; some are locked until FDh B1h. */
+/* Whether a command is locked. On an SSD1351 FDh 16h locks all commands but itself; some are locked until FDh B1h. */
 static bool is_locked(const struct sim_ssd *s, const struct sim_command *command)
 {
     return command->code != 0xFD && (s->locked || (command->needs_unlock && !s->extra_unlocked));
@@ -284,7 +285,7 @@ static void data_too_many(struct sim *sim)
     }
 }
 
-/* SSD1351: parameters and pixels with D/C high. */
+/* Takes a byte of an SSD1351: parameters and pixels come with D/C high. */
 static void ssd1351_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
 {
     const struct sim_ssd *s = &sim->u.ssd;
@@ -304,7 +305,7 @@ static void ssd1351_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
     }
 }
 
-/* SSD0323: commands and parameters with D/C low, pixels with D/C high. */
+/* Takes a byte of an SSD0323: commands and parameters come with D/C low, pixels with D/C high. */
 static void ssd0323_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
 {
     struct sim_ssd *s = &sim->u.ssd;

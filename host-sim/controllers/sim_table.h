@@ -59,7 +59,7 @@ struct sim_table {
 extern const struct sim_table sim_table_dbi, sim_table_st7789, sim_table_gc9a01, sim_table_ili9341, sim_table_ili9488,
     sim_table_st7735s, sim_table_ssd1351, sim_table_ssd0323;
 
-/* NULL: there is no such command. */
+/* Finds a command. NULL: there is none of this code. */
 const struct sim_command *sim_table_find(const struct sim_table *table, uint8_t code);
 
 /* May this byte be parameter `number` (from 1) of the command? If not, the simulator complains and names the bits. */

@@ -19,7 +19,7 @@
 #define LIST(list) .commands = (list), .count = sizeof(list) / sizeof((list)[0])
 
 /* clang-format off */
-/* Table 9-1 and 10.1. */
+/* Commands of the SSD1351: datasheet, table 9-1 and 10.1. */
 static const struct sim_command ssd1351[] = {
     {0x15, 2, 2, false, "column address 10.1.1", FIELDS(
         {1, 2, 0xFF, 0x00, 0xFF, SIM_SHOWN,   "first and last column; the model checks them"})},
@@ -74,7 +74,7 @@ static const struct sim_command ssd1351[] = {
         {1, 1, 0xFF, 0x12, 0xB1, SIM_SHOWN,   "lock"})},
 };
 
-/* Command table. */
+/* Commands of the SSD0323: datasheet, command table. */
 static const struct sim_command ssd0323[] = {
     {0x15, 2, 2, false, "column address", FIELDS(
         {1, 2, 0xFF, 0x00, 0xFF, SIM_SHOWN,   "first and last pair of columns; the model checks them"})},

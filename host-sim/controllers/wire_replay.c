@@ -99,7 +99,7 @@ static void tell_frame(struct wire *w, const struct sim *sim)
     }
 }
 
-/* When the panel goes dark, the picture on it may be the last one, or one that was not told yet. */
+/* Looks back when the panel goes dark: the picture on it may be the last one, or one that was not told yet. */
 static void look_back(struct wire *w)
 {
     if (!is_seen(&w->before) || is_seen(w->sim)) {
@@ -203,7 +203,7 @@ static int named(const struct wire *w, const char *name)
     return -1;
 }
 
-/* "GPIO25" and "chip:25" are line 25, unless the stream gives line 25 another name. */
+/* Finds the number of a line. "GPIO25" and "chip:25" are line 25, unless the stream gives line 25 another name. */
 static int numbered(const struct wire *w, const struct board_pin *pin)
 {
     uint32_t number = pin->number;

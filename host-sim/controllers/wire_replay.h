@@ -45,7 +45,7 @@ struct wire_config {
 
 struct wire;
 
-/* NULL: no memory, or no model of the board's controller. */
+/* Begins a replay. NULL: no memory, or no model of the board's controller. */
 struct wire *wire_replay_open(const struct wire_config *config);
 
 /* Takes one event in its turn. 0, or what config->frame returned. */

@@ -251,7 +251,7 @@ static double percent(uint64_t part, uint64_t whole)
     return whole > 0 ? 100.0 * (double)part / (double)whole : 0;
 }
 
-/* Memory first, then time. */
+/* The cost of a format: memory first, then time. */
 static int cost_of(const struct lab_format *format)
 {
     return format->format == PH_DEPTH_LINEAR_W ? 3 : format->bits == 24 ? 2 : format->format != PH_DEPTH_FIXED16;

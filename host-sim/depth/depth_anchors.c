@@ -63,7 +63,7 @@ static double last_digit(const char *published)
     return pow(10, (exponent != NULL ? strtod(exponent + 1, NULL) : 0) - decimals);
 }
 
-/* Rounded or cut off to the digits that were published. */
+/* Whether two numbers are equal when they are rounded or cut off to the digits that were published. */
 static bool same_digits(const char *published, double here)
 {
     const double value = strtod(published, NULL), unit = last_digit(published);
@@ -121,7 +121,7 @@ static const struct lab_format *find_format(const char *name, int bits)
     return NULL;
 }
 
-/* False: there is no such format, or the renderer refuses it. */
+/* Opens a probe of a format. False: there is no such format, or the renderer refuses it. */
 static bool open_probe(struct run *run, const char *name, int bits, double n, double f)
 {
     const struct lab_format *format = find_format(name, bits);
@@ -311,7 +311,7 @@ static bool reaches(const struct reach *row, int column, double here)
     return (here >= value * .95 && here <= value * 1.05) || same_digits(stated, here);
 }
 
-/* In metres, over the whole range. */
+/* The worst step over the whole range, in metres. */
 static double worst(struct run *run)
 {
     lab_search_open(&run->search, &run->probe);

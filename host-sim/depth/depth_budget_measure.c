@@ -37,7 +37,7 @@ static uint32_t next_random(uint32_t *state)
     return *state;
 }
 
-/* -1 .. 1 */
+/* A random number in -1 .. 1. */
 static double next_signed(uint32_t *state)
 {
     return (int32_t)next_random(state) / 2147483648.0;

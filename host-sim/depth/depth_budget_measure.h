@@ -17,7 +17,7 @@
 #include "depth_budget_terms.h"
 #include "depth_planes_scene.h"
 
-/* In metres; NAN without memory. The canvas is open in the format that is measured. */
+/* The measured error of each part, in metres; NAN without memory. The canvas is open in the format that is measured. */
 double depth_budget_input_m(struct planes_canvas *canvas, double z);
 double depth_budget_matrix_m(struct planes_canvas *canvas, double z);
 double depth_budget_divide_m(struct planes_canvas *canvas, double z);

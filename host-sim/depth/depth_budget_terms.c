@@ -152,7 +152,7 @@ double depth_subpixel_m(const struct depth_lab *lab, int bits, double z)
 
 /* ---- bounds ----------------------------------------------------------------------------------------------- */
 
-/* N, 1/w and their product are cut to 30 bits or more. */
+/* The share of the divide: N, 1/w and their product are cut to 30 bits or more. */
 static double divide_m(double z)
 {
     return 3 * ldexp(z, -30);

@@ -15,7 +15,7 @@
 
 #define NOT_FOUND 127 /* exit status of a child that found no gnuplot */
 
-/* Never returns. -d: the ~/.gnuplot of the user does not change the picture. */
+/* Becomes gnuplot, and never returns. -d: the ~/.gnuplot of the user does not change the picture. */
 static void become_gnuplot(int in, int out, int errors)
 {
     char name[] = "gnuplot", no_defaults[] = "-d", from_stdin[] = "-";

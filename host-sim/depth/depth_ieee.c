@@ -140,7 +140,7 @@ static struct view reed_view(void)
                          {14.9914, 0.832148, 29.7142128}};
 }
 
-/* -1 .. 1, the same on every machine. */
+/* A random number in -1 .. 1, the same on every machine. */
 static double next_signed(uint64_t *state)
 {
     *state = *state * 6364136223846793005u + 1442695040888963407u;

@@ -27,7 +27,7 @@ struct depth_ieee_count {
 void depth_ieee_view_pairs(uint32_t format, double near_z, double far_z, uint32_t count, bool composed,
                            struct depth_ieee_count *out);
 
-/* 0 or PH_ERR_NOMEM. near and far are in metres. */
+/* Counts the pairs of a format. 0 or PH_ERR_NOMEM. near and far are in metres. */
 int depth_ieee_pairs(uint32_t format, double near_z, double far_z, uint8_t spacing, uint32_t count,
                      struct depth_ieee_count *out);
 

@@ -61,7 +61,7 @@ int depth_compare(const struct depth_lab *lab);
 int depth_plot(const struct depth_lab *lab);
 int depth_report(const struct depth_lab *lab); /* `all` */
 
-/* unlit, flat, gouraud, texture, texture-lit. */
+/* The names unlit, flat, gouraud, texture, texture-lit. */
 extern const char *const depth_shading_names[PH_SHADE_WIRE];
 
 /* Gets the perspective of the lab's camera. 0, or PH_ERR_INVAL for an impossible one (the options are checked for

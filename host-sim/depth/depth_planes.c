@@ -35,7 +35,7 @@ struct picture {
     uint32_t column; /* where the next format's picture begins */
 };
 
-/* Black: not counted, blue: right, orange: wrong. The colour-blind see them as three greys. */
+/* Paints the picture. Black: not counted, blue: right, orange: wrong. The colour-blind see them as three greys. */
 static void paint(struct picture *picture, const struct depth_lab *lab, const uint8_t *verdicts)
 {
     static const uint8_t colours[][3] = {

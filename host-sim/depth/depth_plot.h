@@ -4,7 +4,7 @@
 
 #include "depth_plot_kinds.h"
 
-/* NULL: no kind has this name. */
+/* Finds a kind of plot by its name. NULL: there is none. */
 const struct depth_plot_kind *depth_plot_find(const char *name);
 
 /* The picture as bytes to be freed; png: else SVG. 0, or a status when one line has said why. */

@@ -127,7 +127,7 @@ static void put_half(FILE *script, double half, const char *colour)
     fprintf(script, "set arrow from %g,-1.05 to %g,0 nohead dt 3 lw 1.5 lc '%s'\n", -half, -half, colour);
 }
 
-/* One curve for each near plane. */
+/* Writes one curve for each near plane. */
 static int write_curves(FILE *script, const char *name, const fx_t nears[], int count, fx_t far_z)
 {
     static const char *const colours[] = {"#0072b2", "#d55e00"};
@@ -412,7 +412,7 @@ static int write_pairs(const struct depth_lab *all, FILE *script)
 
 /* ---- budget ---------------------------------------------------------------------------------------------- */
 
-/* z, predicted, measured of each part of each format as data blocks $b<row>_<part>. */
+/* Writes z, predicted and measured of each part of each format as data blocks $b<row>_<part>. */
 static void put_budget(FILE *script, const char *csv, uint32_t row, int part)
 {
     const char *const name = part < DEPTH_SHARES ? depth_share_names[part] : "all";

@@ -164,7 +164,7 @@ static void put_remarks(FILE *report, const char *csv, bool sentences)
     fputs(first ? "" : sentences ? "" : "```\n", report);
 }
 
-/* CSV as a Markdown table, without its remarks. */
+/* Writes CSV as a Markdown table, without its remarks. */
 static void put_table(FILE *report, const char *csv, const char *headings)
 {
     put_cells(report, headings);
@@ -238,7 +238,7 @@ static void put_more(const struct depth_lab *lab, FILE *report, const struct sec
     }
 }
 
-/* planes writes its picture, too. */
+/* Runs the command of a section; `planes` writes its picture, too. */
 static int run_section(const struct depth_lab *lab, const struct section *section, char **csv)
 {
     struct depth_lab own = *lab;

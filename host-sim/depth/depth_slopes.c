@@ -22,7 +22,7 @@ static void put_row(const struct depth_lab *lab, const struct lab_format *format
 static const double tilts[] = {0, 30, 60, 75, 85, 89};
 #define TILTS (sizeof tilts / sizeof tilts[0])
 
-/* *done: rows so far, of `total`. */
+/* Measures the rows of a format. *done: rows so far, of `total`. */
 static int put_format(const struct depth_lab *lab, const struct lab_format *format, double at_m, uint32_t *done,
                       uint32_t total)
 {

@@ -73,7 +73,7 @@ static void add_machine(struct words *w, const char *machine, const char *image)
     add(w, "-d", "guest_errors");
 }
 
-/* In the child. */
+/* Starts QEMU, in the child process. */
 static void execute(const struct ends *e, const char *machine, const char *image, unsigned uart, bool traced)
 {
     char monitor[48], serial[48], log[32];
@@ -212,7 +212,7 @@ static int end(struct qemu *q)
     return status;
 }
 
-/* QEMU ended or does not answer. If the image logged a reason, that is told. */
+/* Complains that QEMU ended or does not answer. If the image logged a reason, that is told. */
 static int last_words(struct qemu *q, const char *what, const char *name)
 {
     char byte;

@@ -24,14 +24,14 @@ struct emulate_registers {
     char said[160]; /* the first line that tells of something else: QEMU found something wrong */
 };
 
-/* COMPLAINED: not enough memory. */
+/* Opens a table of registers. COMPLAINED: not enough memory. */
 int emulate_registers_open(struct emulate_registers *r, const struct register_chip *chip);
 void emulate_registers_close(struct emulate_registers *r);
 
 /* Takes a line of the trace. COMPLAINED: the chip would not take the access. */
 int emulate_registers_line(struct emulate_registers *r, const char *line, struct emulate_access *access);
 
-/* COMPLAINED if QEMU found something wrong. */
+/* Returns COMPLAINED if QEMU found something wrong. */
 int emulate_registers_said(const struct emulate_registers *r);
 
 #endif

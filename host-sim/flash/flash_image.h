@@ -26,7 +26,7 @@ struct flash_image {
     uint32_t size;        /* bytes of the image itself */
 };
 
-/* "RP2040", "RP2350", or "RP2040 or RP2350". */
+/* Returns "RP2040", "RP2350", or "RP2040 or RP2350". */
 const char *flash_chip_name(enum flash_chip chip);
 
 /* Makes an erased image of `end` bytes from FLASH_BASE. 0, or a status with a line in error. */

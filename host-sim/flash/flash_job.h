@@ -22,7 +22,7 @@ struct flash_job {
     char error[FLASH_ERROR_SIZE];
 };
 
-/* 0, or a status as in flash_boot.h with a line in error: what, where, what to do. */
+/* Runs a job. 0, or a status as in flash_boot.h with a line in error: what, where, what to do. */
 int flash_job_run(struct flash_job *job);
 
 #endif

@@ -4,10 +4,10 @@
 
 #include "flash_image.h"
 
-/* Do these n bytes look like blocks of UF2? */
+/* Whether these n bytes look like blocks of UF2. */
 int flash_uf2_is(const uint8_t *bytes, size_t n);
 
-/* 0, or a status with a line in error. */
+/* Parses a UF2 file. 0, or a status with a line in error. */
 int flash_uf2_parse(struct flash_image *image, const uint8_t *bytes, size_t n, char *error);
 
 #endif

@@ -26,7 +26,7 @@ int flash_usb_list(struct flash_board boards[FLASH_BOARDS_MAX]);
 struct flash_usb;
 int flash_usb_open(struct flash_usb **usb, const struct flash_board *board);
 
-/* NULL is fine. */
+/* Closes a device; NULL is fine. */
 void flash_usb_close(struct flash_usb *usb);
 
 /* Operations on a link by USB; their context is a struct flash_usb. */

@@ -35,7 +35,8 @@ static bool across(double to[3], const double a[3], const double b[3])
     return length > 1e-9 * sqrt(dot(a, a) * dot(b, b)) && isfinite(length);
 }
 
-/* World to view, with right, up and backwards as rows. False: the camera has no direction, or is too far away. */
+/* Reads the transform from world to view, with right, up and backwards as rows. False: the camera has no direction, or
+ * is too far away. */
 static bool read_view(const struct model_camera *from, double place[3][4], const struct model_fit *fit,
                       struct ph_xform *view)
 {
@@ -62,7 +63,7 @@ static bool read_view(const struct model_camera *from, double place[3][4], const
     return true;
 }
 
-/* 0 where it does not fit. */
+/* Converts to Q12.20; 0 where it does not fit. */
 static int32_t q20(double value)
 {
     return value > 0 && value < 2047 ? (int32_t)lround(value * (1 << 20)) : 0;

@@ -11,7 +11,7 @@ static bool is_turntable(const struct demo_context *context)
     return context->view != NULL && strcmp(context->view, "turntable") == 0;
 }
 
-/* Before the eye, or (NULL) on the turntable. */
+/* Makes the demo of a model, before the eye, or (NULL) on the turntable. */
 static int init(struct demo_context *context, const struct demo_eye *eye)
 {
     const struct model *model = context->state;

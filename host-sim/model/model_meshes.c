@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Q16.16, saturated; NaN gives 0. */
+/* Converts to Q16.16, saturated; NaN gives 0. */
 static fx_t fixed(double value)
 {
     if (!(fabs(value) < 32767)) {

@@ -4,7 +4,7 @@
 
 #include "model_scene.h"
 
-/* false: shared->error says why. */
+/* Makes the model's meshes of a scene. false: shared->error says why. */
 bool model_meshes_read(struct model_shared *shared, const struct model_scene *scene);
 
 #endif

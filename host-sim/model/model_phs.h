@@ -4,7 +4,7 @@
 
 #include "model.h"
 
-/* 0 or COMPLAINED. It is one block of memory: free(model). */
+/* Opens a binary scene as a model. 0 or COMPLAINED. It is one block of memory: free(model). */
 int model_phs_open(struct model **model, const char *path);
 
 #endif

@@ -22,7 +22,7 @@ struct model_places {
     double (*nodes)[3][4]; /* the place of each node that is shown; free() it */
 };
 
-/* Every mesh of every node. false: no memory. */
+/* Finds the place of every mesh of every node. false: no memory. */
 bool model_places_find(const struct model_scene *scene, struct model_places *places);
 
 /* Vertex i and its normal (of any length) in the world. */

@@ -63,7 +63,7 @@ static bool invert(matrix to, const double (*m)[4])
 
 static const double identity[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
 
-/* Sixteen numbers, column by column, as glTF has them. */
+/* Makes a matrix of sixteen numbers, column by column, as glTF has them. */
 static void from_columns(matrix to, const float *m)
 {
     for (int row = 0; row < 3; row++) {
@@ -287,7 +287,7 @@ static bool set_skin(struct model_shared *shared, uint32_t node, const double (*
     return true;
 }
 
-/* Four joints, the greatest share first, that sum to one. False: a joint is not there. */
+/* Sets the four joints of a vertex, the greatest share first; shares sum to one. False: a joint is not there. */
 static bool set_influence(const float *joints, const float *weights, uint32_t count, struct ph_influence *to,
                           double *error)
 {

@@ -23,7 +23,7 @@ struct model_rig {
     uint32_t node_count;           /* of `order` */
 };
 
-/* value within -most .. most; 0 if it is none. */
+/* Clamps a value to -most .. most; 0 if it is none. */
 static inline double model_rig_clamp(double value, double most)
 {
     return value > most ? most : value < -most ? -most : isfinite(value) ? value : 0;

@@ -110,7 +110,7 @@ bool model_word_is(const struct model_word *word, const char *other)
     return strlen(other) == word->n && strncasecmp(word->text, other, word->n) == 0;
 }
 
-/* strtod and strtoll end at white space or at the 0 behind the text. */
+/* Reads a number: strtod and strtoll end at white space or at the 0 behind the text. */
 bool model_word_number(const struct model_word *word, double *number)
 {
     char *end;

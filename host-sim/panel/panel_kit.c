@@ -13,7 +13,7 @@
 #define PLAIN_SPI "sbc-generic"
 #define PLAIN_USB "ft232h-st7789"
 
-/* "AD0" .. "AC7": pins of an FT232H. */
+/* Whether a line is a pin of an FT232H, "AD0" .. "AC7". */
 static bool is_usb_line(const char *line)
 {
     return line != NULL && line[0] == 'A' && (line[1] == 'C' || line[1] == 'D') && line[2] >= '0' && line[2] <= '7' &&

@@ -7,7 +7,7 @@
 #include "linux/linux.h"
 #include "panel_options.h"
 
-/* Must not move once it is chosen: the board points into it, and the backend to it. */
+/* A kit that was chosen. It must not move after that: the board points into it, and the backend to it. */
 struct panel_kit {
     struct board board;         /* with what the command line changes */
     struct hal hal;             /* not open */
@@ -23,7 +23,7 @@ struct panel_kit {
 /* Can pinhole-panel drive it? Its pins must be lines of an operating system or of an FT232H. */
 bool panel_kit_has(const struct board *board);
 
-/* 0, PH_ERR_INVAL or COMPLAINED. */
+/* Chooses the kit that the options name. 0, PH_ERR_INVAL or COMPLAINED. */
 int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *wiring);
 
 /* Gives back what panel_kit_choose took, and says what went unseen while the kit was open. */

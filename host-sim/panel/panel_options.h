@@ -53,7 +53,7 @@ struct panel_options {
     bool stats, overlay;
 };
 
-/* 0 or PH_ERR_INVAL. */
+/* Reads the command line. 0 or PH_ERR_INVAL. */
 int panel_options_read(struct panel_options *o, int argc, char *const argv[]);
 
 void panel_options_help(void);

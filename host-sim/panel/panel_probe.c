@@ -30,7 +30,7 @@ int panel_probe_read(const struct hal *hal, const struct board *board, struct pa
     return status < 0 ? status : hal->ops->bus_read(hal->context, 0xD3, answers->id4, PROBE_BYTES);
 }
 
-/* 24 bits from bit `at` on. */
+/* Returns 24 bits from bit `at` on. */
 static uint32_t bits_at(const uint8_t bytes[PROBE_BYTES], unsigned at)
 {
     uint64_t all = 0;

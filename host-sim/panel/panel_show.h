@@ -46,7 +46,7 @@ struct panel_scene {
     void *before_context;
 };
 
-/* 0 or COMPLAINED. */
+/* Shows the scene until it ends. 0 or COMPLAINED. */
 int panel_show_run(struct panel_display *displays, int count, const struct panel_scene *scene);
 
 /*

@@ -116,7 +116,8 @@ static struct difference compare(const struct ppm *picture, struct ppm *referenc
     return d;
 }
 
-/* "FILE.png", or with several frames "FILE-0003.png"; in a folder "frame-0003.png" or, if that is not there, ".ppm". */
+/* Writes the name of a frame's reference: "FILE.png", or with several frames "FILE-0003.png"; in a folder
+ * "frame-0003.png" or, if that is not there, ".ppm". */
 static int name_reference(const struct frame_check *check, uint32_t frame, char name[PATH_MAX])
 {
     struct stat status;

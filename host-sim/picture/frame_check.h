@@ -36,7 +36,7 @@ int frame_check_open(struct frame_check *check, uint32_t last);
  * difference. 0, or COMPLAINED if it cannot be compared. */
 int frame_check_put(struct frame_check *check, uint32_t frame, const struct ppm *picture);
 
-/* COMPLAINED, with a line, if frames differed; else status. */
+/* Ends the check. COMPLAINED, with a line, if frames differed; else status. */
 int frame_check_close(struct frame_check *check, int status);
 
 #endif

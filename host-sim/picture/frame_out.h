@@ -47,7 +47,8 @@ int frame_out_put(struct frame_out *out, uint32_t frame, const struct ppm *pictu
  * were made go, unless a frame is in them. Returns status, or COMPLAINED. */
 int frame_out_close(struct frame_out *out, int status);
 
-/* Every pixel `scale` times as wide and high. 0 or COMPLAINED. The caller frees to->rgb in any case. */
+/* Enlarges a picture: every pixel becomes `scale` times as wide and high. 0 or COMPLAINED. The caller frees to->rgb in
+ * any case. */
 int frame_out_enlarge(const struct ppm *from, uint32_t scale, struct ppm *to);
 
 #define FRAME_OUT_PIXELS_MAX (1u << 26) /* what pictures that were read may have together: 192 MB */

@@ -60,7 +60,7 @@ static void print_list(void)
     }
 }
 
-/* `{"demos": [..], "boards": [..]}`. */
+/* Prints `{"demos": [..], "boards": [..]}`. */
 static void print_json_list(void)
 {
     fputs("{\"demos\": [", stdout);

@@ -42,8 +42,8 @@ int sim_matrix_projection(const struct sim_matrix *from, enum ph_convention conv
 /* Prints one matrix and its name. */
 void sim_matrix_print_one(FILE *file, const char *name, const struct ph_mat4 *matrix);
 
-/* 0, PH_ERR_INVAL for a fisheye, which has no matrix, or PH_ERR_RANGE if an element does not fit Q16.16. After an error
- * nothing was printed. */
+/* Prints the matrices. 0, PH_ERR_INVAL for a fisheye, which has no matrix, or PH_ERR_RANGE if an element does not fit
+ * Q16.16. After an error nothing was printed. */
 int sim_matrix_print(FILE *file, const struct ph_xform *view, const struct ph_projection *projection, uint16_t width,
                      uint16_t height, enum ph_convention convention);
 

@@ -23,7 +23,7 @@ struct sim_window_input {
     uint16_t width, height; /* for a picture of this size the window has room, 1 .. 1024 each */
 };
 
-/* False: the user has closed the window or pressed Esc. */
+/* Reads keyboard and mouse. False: the user has closed the window or pressed Esc. */
 bool sim_window_input(const struct sim_window *window, struct sim_window_input *input);
 
 /* Pictures have this size, and the window this title, from now on. 0 or COMPLAINED. */
@@ -32,7 +32,7 @@ int sim_window_resize(struct sim_window *window, const char *title, uint16_t wid
 /* Shows a picture (RGB888 rows) frame_ns after the previous one, or at once if that time is over. */
 void sim_window_show(struct sim_window *window, const uint8_t *rgb, uint64_t frame_ns);
 
-/* NULL does nothing. */
+/* Closes the window; NULL does nothing. */
 void sim_window_close(struct sim_window *window);
 
 #endif

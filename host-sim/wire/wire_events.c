@@ -54,7 +54,7 @@ static bool next_u32(char **rest, unsigned base, uint32_t *number)
     return read;
 }
 
-/* Hexadecimal digits become bytes in the same place. */
+/* Reads bytes: hexadecimal digits become bytes in the same place. */
 static bool read_bytes(char *text, struct wire_event *event)
 {
     uint8_t *bytes = (uint8_t *)text;

@@ -56,7 +56,7 @@ static void take_if_better(struct order *order, size_t count)
     }
 }
 
-/* It depends on the mesh which of the two ways is better; a file may have a good order already. */
+/* Sorts triangles in the better one of two ways, which depends on the mesh; a file may have a good order already. */
 static void arrange(struct order *order, size_t count)
 {
     meshopt_optimizeVertexCacheFifo(order->scratch, order->indices, count, order->vertex_count, CACHE);

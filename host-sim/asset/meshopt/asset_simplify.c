@@ -94,7 +94,7 @@ static bool gather(struct whole *w, const struct model *model)
     return true;
 }
 
-/* In radii of the model. */
+/* Converts meshoptimizer's relative error to radii of the model. */
 static double error_of(const struct whole *w, float relative)
 {
     return (double)relative * meshopt_simplifyScale(w->places[0], w->vertex_count, sizeof *w->places);
@@ -120,7 +120,7 @@ static bool find_used(const struct whole *w, const unsigned *indices, struct use
     return is_done;
 }
 
-/* rest->indices has room for all. */
+/* Simplifies all meshes together; rest->indices has room for all triangles. */
 static bool simplify(const struct whole *w, const unsigned *indices, size_t target, struct asset_rest *rest)
 {
     struct used u;
@@ -200,7 +200,7 @@ static void take_numbers(struct asset_rest *to, const struct asset_rest *from)
     to->way = from->way;
 }
 
-/* meshoptimizer asserts that it gets more triangles than it is to leave. */
+/* Keeps all triangles: meshoptimizer asserts that it gets more triangles than it is to leave. */
 static bool take_all(const struct whole *w, struct asset_rest *rest)
 {
     memcpy(rest->indices, w->indices, sizeof *w->indices * w->index_count);

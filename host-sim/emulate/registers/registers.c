@@ -100,7 +100,7 @@ static struct cell *cell_of(struct registers *r, uint32_t core, const struct pla
     return &r->cells[place->cell + (place->block->per_core ? core * r->cell_count : 0)];
 }
 
-/* NULL: the table asks for a register that it does not have. */
+/* Finds the state of a register. NULL: the table asks for a register that it does not have. */
 static const struct cell *cell_at(struct registers *r, uint32_t core, uint32_t address)
 {
     const struct place place = find(r, address);
@@ -199,7 +199,7 @@ static bool field_takes(const struct register_row *row, const struct register_fi
     return false;
 }
 
-/* NULL, or what is wrong with the bits of a value; text has room for LINE / 2 bytes. */
+/* Says what is wrong with the bits of a value, or returns NULL; text has room for LINE / 2 bytes. */
 static const char *bits_are_wrong(const struct register_row *row, uint32_t value, char *text)
 {
     uint32_t known = 0;

@@ -84,12 +84,12 @@ struct register_chip {
 
 #define REGISTER_LIST(list) (list), sizeof(list) / sizeof *(list)
 
-/* CHIP/registers_table.c */
+/* The tables of the chips, each in CHIP/registers_table.c. */
 extern const struct register_chip rp2040_registers, rp2350_registers, stm32f4_registers, lm3s6965_registers;
 
 struct registers;
 
-/* NULL: not enough memory. The chip's table stays the caller's. */
+/* Makes the registers of a chip. NULL: not enough memory. The chip's table stays the caller's. */
 struct registers *registers_new(const struct register_chip *chip, uint32_t cores);
 void registers_free(struct registers *r);
 

@@ -35,7 +35,7 @@ uint64_t chip_interrupts(const struct chip *chip)
            (uint64_t)((chip->dma_interrupts & chip->dma_enabled[1]) != 0) << IRQ_DMA_1;
 }
 
-/* Everything but memory and the watchdog's own registers. */
+/* Resets everything but memory and the watchdog's own registers. */
 void chip_reset(struct chip *chip)
 {
     registers_restart(chip->registers);
@@ -78,7 +78,7 @@ void chip_init(struct chip *chip, uint32_t cores, const uint8_t *image, uint32_t
     chip_reset(chip);
 }
 
-/* When the hardware does something next. */
+/* The time at which the hardware does something next. */
 static uint64_t next_event(const struct chip *chip)
 {
     uint64_t next = chip->alarm_time < chip->watchdog_time ? chip->alarm_time : chip->watchdog_time;

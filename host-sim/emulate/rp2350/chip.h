@@ -270,7 +270,7 @@ void core_fault(struct core *core);
 uint32_t core_argument(struct core *core, uint32_t number);
 void core_set_argument(struct core *core, uint32_t number, uint32_t value);
 void core_return(struct core *core);
-/* When a tick would end the sleep of this core; NEVER: none would. */
+/* The time at which a tick would end the sleep of this core; NEVER: none would. */
 uint64_t core_next_tick(const struct core *core);
 
 /* arm.c */

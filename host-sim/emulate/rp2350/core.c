@@ -17,7 +17,7 @@ void core_reset(struct core *core, uint32_t vectors, uint32_t stack, uint32_t en
     (core->chip->riscv ? riscv_start : arm_start)(core, vectors, stack, entry);
 }
 
-/* WFE or h3.block, which an event before it ends; WFI. */
+/* Makes a core wait: by WFE or h3.block, which an event before it ends, or by WFI. */
 void core_wait(struct core *core, bool for_interrupt)
 {
     if (!for_interrupt && core->event) {

@@ -52,7 +52,7 @@ void facts_reset(struct chip *chip)
     chip->facts.counted_at = 0;
 }
 
-/* Hz of the counter's source; 0: it stands. */
+/* The frequency of the counter's source in Hz; 0: it stands. */
 static double source_hz(struct chip *chip, uint32_t source)
 {
     switch (source) {

@@ -108,7 +108,7 @@ static uint32_t quadrant1(uint32_t code)
     }
 }
 
-/* C.JR, C.MV, C.EBREAK, C.JALR, C.ADD */
+/* Expands C.JR, C.MV, C.EBREAK, C.JALR and C.ADD. */
 static uint32_t jump_or_move(uint32_t d, uint32_t b, bool links)
 {
     if (b != 0) {

@@ -45,7 +45,7 @@ bool rom_call(struct core *core)
     }
 }
 
-/* Semihosting's exit. */
+/* Takes a breakpoint: semihosting's exit. */
 void rom_breakpoint(struct core *core, uint32_t number)
 {
     if (number == 0xab && core_argument(core, 0) == 0x18) {

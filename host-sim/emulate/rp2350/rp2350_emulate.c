@@ -184,7 +184,8 @@ static uint32_t scene_of(uint32_t number)
     return scene;
 }
 
-/* `calls`: a frame is sent, bus_write, bus_write_rows, and those that make a scene. */
+/* Notes calls that the option `calls` names: a frame is sent, bus_write, bus_write_rows, and those that make a scene.
+ */
 static void called(void *user, struct core *core)
 {
     (void)user;
@@ -305,7 +306,7 @@ static bool set_text(const char *name, const char *value)
     return true;
 }
 
-/* NAME VALUE or NAME=VALUE. */
+/* Reads options: NAME VALUE or NAME=VALUE. */
 static void read_options(char **argument)
 {
     for (; *argument != NULL; argument++) {

@@ -20,7 +20,7 @@ enum thumb_shift { THUMB_LSL, THUMB_LSR, THUMB_ASR, THUMB_ROR, THUMB_RRX };
 
 /* Shifts by 0 .. 255; *carry is the last bit that left, or stays. */
 uint32_t thumb_shift(uint32_t value, enum thumb_shift how, uint32_t by, bool *carry);
-/* a + b + carry; sets the flags if asked to. */
+/* Returns a + b + carry, and sets the flags if asked to. */
 uint32_t thumb_add(struct core *core, uint32_t a, uint32_t b, bool carry, bool flags);
 
 static inline void thumb_nz(struct core *core, uint32_t value)

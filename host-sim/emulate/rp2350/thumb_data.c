@@ -139,7 +139,7 @@ static bool saturates(struct core *core, uint32_t first, uint32_t second)
     return true;
 }
 
-/* SBFX, UBFX, BFI, BFC. */
+/* Runs SBFX, UBFX, BFI, BFC. */
 static bool bit_field(struct core *core, uint32_t first, uint32_t second)
 {
     const uint32_t what = first >> 4 & 31, low = (second >> 12 & 7) << 2 | (second >> 6 & 3), n = first & 15;
@@ -193,7 +193,7 @@ bool thumb_plain(struct core *core, uint32_t first, uint32_t second)
     }
 }
 
-/* SXTAH, UXTAH, SXTAB16, UXTAB16, SXTAB, UXTAB, and without a sum where n is 15. */
+/* Runs SXTAH, UXTAH, SXTAB16, UXTAB16, SXTAB, UXTAB, and their forms without a sum, where n is 15. */
 static bool extends(struct core *core, uint32_t first, uint32_t second)
 {
     const uint32_t what = first >> 4 & 7, by = (second >> 4 & 3) * 8, m = core->r[second & 15], n = first & 15;
@@ -223,7 +223,7 @@ static uint32_t with_bits_reversed(uint32_t value)
     return result;
 }
 
-/* QADD, QDADD, QSUB, QDSUB */
+/* Computes QADD, QDADD, QSUB, QDSUB. */
 static uint32_t saturating_sum(struct core *core, uint32_t how, int32_t n, int32_t m)
 {
     int64_t b = n;

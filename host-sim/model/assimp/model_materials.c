@@ -26,7 +26,7 @@ static const struct aiTexture *find_embedded(const struct aiScene *scene, const 
     return NULL;
 }
 
-/* NULL, or why there is no picture. */
+/* Loads a picture. Returns NULL, or why there is none. */
 static const char *load_picture(struct model_shared *shared, const struct aiScene *scene, const char *name,
                                 struct picture_in *picture)
 {
@@ -68,7 +68,8 @@ static void read_texture(struct model_shared *shared, const struct aiScene *scen
     to->picture.alpha = NULL;
 }
 
-/* MTL's d and map_d: its alpha, or its grey. An opacity of 0 is written by programs that mean 1. */
+/* Reads alpha: MTL's d and map_d, whose alpha counts, or its grey. An opacity of 0 is written by programs that mean
+ * 1. */
 static void read_alpha(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,
                        struct model_surface *to)
 {

@@ -61,7 +61,7 @@ static void read_texture(struct model_shared *shared, const struct model_word *l
     to->picture.alpha = NULL;
 }
 
-/* d and map_d: its alpha, or its grey. An opacity of 0 is written by programs that mean 1. */
+/* Reads alpha: d and map_d, whose alpha counts, or its grey. An opacity of 0 is written by programs that mean 1. */
 static void read_alpha(struct model_shared *shared, const struct model_word *library, const struct material *from,
                        struct model_surface *to)
 {
@@ -82,7 +82,7 @@ static void read_alpha(struct model_shared *shared, const struct model_word *lib
 
 /* ---- a file ------------------------------------------------------------------------------------------------------ */
 
-/* mtls may be NULL. */
+/* Adds a material; mtls may be NULL. */
 static bool add(struct model_shared *shared, struct model_scene *scene, struct model_mtls *mtls,
                 struct model_surface *surface, const struct model_mtl *mtl)
 {

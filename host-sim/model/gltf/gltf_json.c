@@ -34,7 +34,7 @@ static bool take(struct parser *p, char c)
 
 /* ---- strings ----------------------------------------------------------------------------------------------------- */
 
-/* Four hexadecimal digits, or UINT32_MAX. */
+/* Reads four hexadecimal digits; UINT32_MAX: there are none. */
 static uint32_t read_hex(struct parser *p)
 {
     static const char digits[] = "0123456789abcdefABCDEF";

@@ -238,7 +238,7 @@ static bool read_meshes(struct reader *reader)
 
 /* ---- nodes ------------------------------------------------------------------------------------------------------- */
 
-/* Translation, rotation and scale of a matrix; what it shears is lost. */
+/* Takes a matrix apart into translation, rotation and scale; what it shears is lost. */
 static void take_apart(const double m[16], double t[3], double q[4], double s[3])
 {
     double r[3][3]; /* columns */
@@ -313,7 +313,8 @@ static bool read_node(struct reader *reader, uint32_t i, uint32_t parent, unsign
     return true;
 }
 
-/* Recursive, at most DEPTH_MAX deep. *first is the first node of the list, behind which its brothers hang. */
+/* Reads the children of a node: recursive, at most DEPTH_MAX deep. *first is the first node of the list, behind which
+ * its brothers hang. */
 static bool read_children(struct reader *reader, const struct gltf_json *list, uint32_t parent, uint32_t *first,
                           unsigned depth)
 {

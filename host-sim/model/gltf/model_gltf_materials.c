@@ -115,7 +115,7 @@ static const char *load_picture(struct gltf_file *file, uint32_t number, struct 
     return why;
 }
 
-/* KHR_texture_transform: offset, rotation and scale, in this order from the left. */
+/* Reads KHR_texture_transform: offset, rotation and scale, in this order from the left. */
 static void read_transform(const struct gltf_json *info, struct model_gltf_uv *uv)
 {
     const struct gltf_json *from = gltf_json_get(gltf_json_get(info, "extensions"), "KHR_texture_transform");
@@ -128,7 +128,7 @@ static void read_transform(const struct gltf_json *info, struct model_gltf_uv *u
     memcpy(uv->m[1], (double[3]){-s * scale[0], c * scale[1], offset[1]}, sizeof uv->m[1]);
 }
 
-/* Wrap modes; a mirrored picture is doubled, and its coordinates are halved. */
+/* Reads the wrap modes; a mirrored picture is doubled, and its coordinates are halved. */
 static void read_wrap(struct model_shared *shared, const struct gltf_json *sampler, struct model_surface *to,
                       struct model_gltf_uv *uv)
 {

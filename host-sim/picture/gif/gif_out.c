@@ -148,7 +148,7 @@ static size_t cell_of(int red, int green, int blue)
     return (size_t)(red >> 3 << 10 | green >> 3 << 5 | blue >> 3);
 }
 
-/* Squared and weighted: the eye sees green best and blue worst. */
+/* The distance of two colours, squared and weighted: the eye sees green best and blue worst. */
 static int colour_distance(const GifColorType *colour, int red, int green, int blue)
 {
     const int r = red - colour->Red, g = green - colour->Green, b = blue - colour->Blue;
@@ -313,7 +313,7 @@ static bool put_frame(GifFileType *file, const struct gif_out *gif, uint32_t fra
            put_entries(file, gif, entries, scale, line);
 }
 
-/* Size, palette, "repeat for ever". */
+/* Writes size, palette and "repeat for ever". */
 static bool put_head(GifFileType *file, const struct gif_out *gif, uint32_t scale)
 {
     static const GifByteType loop[3] = {1, 0, 0};

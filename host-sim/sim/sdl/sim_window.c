@@ -62,8 +62,9 @@ static bool open_parts(struct sim_window *w, const char *title, int width, int h
     return w->renderer != NULL && SDL_RenderSetIntegerScale(w->renderer, SDL_TRUE) == 0 && set_size(w, width, height);
 }
 
-/* SDL would fall back to a screen that nobody sees, so the drivers are named; SDL_VIDEODRIVER of the user has priority.
- * Without XDG_RUNTIME_DIR the library of Wayland does not work, and prints lines of its own. */
+/* Chooses SDL's video driver. It would fall back to a screen that nobody sees, so the drivers are named;
+ * SDL_VIDEODRIVER of the user has priority. Without XDG_RUNTIME_DIR the library of Wayland does not work, and prints
+ * lines of its own. */
 static void choose_screen(void)
 {
     const bool wayland = SDL_getenv("XDG_RUNTIME_DIR") != NULL;
