@@ -10,7 +10,7 @@ BOARD_DIR ?=
 PINHOLE_VERSION := $(shell sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
 BUDGET_CORE_BYTES ?= 112640
 
-# A name with these would be taken apart by make or by the shell: what of them is in $(1), or its second word.
+# Returns the characters of $(1) that make or the shell would misread, or its second word; nothing if the name is safe.
 OPEN := (
 CLOSE := )
 odd = $(strip $(word 2,$(1))$(foreach c,' " ` ; & < > | * ? [ ] { } : % ! \ $(OPEN) $(CLOSE),$(findstring $(c),$(1))))

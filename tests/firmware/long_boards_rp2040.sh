@@ -40,7 +40,7 @@ the_table_has_all() { listed | diff - <(sed -n 's/^| `\([a-z]*\)` |.*%.*/\1/p' t
 listed() { "$B/pinhole-sim" --list | awk '$1 == "demo" && !/; by name only$/ { print $2 }'; }
 
 # In a copy D/C and chip select move when the DMA is done, while the last words are still in the FIFO. The pictures change.
-# Only the slow clock of the panel's start shows it, for a handler takes longer than 8 words at 62.5 MHz.
+# Only the slow clock of the panel's start shows a D/C line that moves early, for a handler takes longer than 8 words at 62.5 MHz.
 a_dc_line_that_moves_early_is_seen() {
     local copy=$dir/copy
     mkdir "$copy" && cp -r Makefile firmware hal boards host-sim tests "$copy" || return 1

@@ -44,7 +44,7 @@ segments_lie_apart() { # board
 }
 
 # Read back with od and awk alone: magics, flags, addresses, numbers, family, and the payload against the BIN.
-# It is that of the image that is linked for where TinyUF2 starts applications: 08010000 on an STM32F4.
+# It is made of the image that is linked for where TinyUF2 starts applications: 08010000 on an STM32F4.
 uf2_holds_the_bin() {
     local bin=$B/firmware/$board-objects/uf2-$board-demos.bin
     local blocks=$((($(stat -c %s "$bin") + 255) / 256))

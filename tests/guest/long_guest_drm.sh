@@ -18,7 +18,7 @@ trap 'rm -rf "$dir"' EXIT
 make -s -j2 B="$B" "$B/pinhole-panel" "$B/pinhole-sim" || exit 1
 
 # ---- what the guest does -------------------------------------------------------------------------
-# It asks the host for what only QEMU can do: `ask NAME COMMAND` gives the monitor a command, and waits for its end.
+# The guest asks the host for what only QEMU can do: `ask NAME COMMAND` gives the monitor a command, and waits for its end.
 guest='
     ask() { echo "${@:2}" >$GUEST/$1.new; mv $GUEST/$1.new $GUEST/$1.ask; until [ -e $GUEST/$1.done ]; do sleep 0.05; done; }
     shot() { ask $1 screendump $GUEST_HOST/$1.ppm $2; }

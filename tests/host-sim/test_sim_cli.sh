@@ -273,7 +273,7 @@ END
         [ "$(matrices 13 "${camera[@]}" --convention lmu)" = "0 50 0 50" ] && [ "$("$sim" --matrix "${camera[@]}" | wc -l)" = 15 ]
 }
 
-# The same camera in the documents' own words: HAW's exercise 2 (at (5,0,0), its axes in columns), PHIGS of EECE, LMU's quaternion.
+# One camera in the words of several documents: HAW's exercise 2 (at (5,0,0), its axes in columns), PHIGS of EECE, LMU's quaternion.
 ways_to_state_a_view_agree() {
     local way
     for way in vrp=5,0,0,vpn=1,0,0 vpn=2,0,0,vup=0,3,0,vrp=5,0,0 ypr=90,0,0,eye=5,0,0 ypr=450,0,0,eye=5,0,0 quat=1,0,1,0,eye=5,0,0 \

@@ -11,7 +11,7 @@ dir=$(mktemp -d) && trap 'rm -rf "$dir"' EXIT
 make -s B="$B" "$B/libpinhole.a" >/dev/null || exit 1
 mkdir "$dir/pinhole" && cp firmware/core/*.h "$dir/pinhole/"
 
-# As in an example's main loop: one function draws, another one shows; between them others use the stack.
+# A program like an example's main loop: one function draws, another one shows; between them others use the stack.
 cat >"$dir/show.c" <<'C'
 #include "triangle.h"
 #include <stdio.h>

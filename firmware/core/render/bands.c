@@ -491,7 +491,7 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
     rows.pixels = r->fine != 0
                       ? r->config.samples
                       : pixels; /* an assignment, not an initialiser: else clang-tidy asks for a const pointer */
-    struct ph_reach in;         /* of a fine frame */
+    struct ph_reach in;         /* set only with samples */
     if (r->fine != 0) {
         ph_fine_reach(r, band, &in);
     }

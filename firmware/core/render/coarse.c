@@ -39,7 +39,7 @@ static PH_NOINLINE bool measure(const struct ph_triangle *t, const struct ph_ban
         return false;
     }
     const int32_t x0 = ph_min(from, from_last), x1 = ph_max(to, to_last) - 1;
-    const uint32_t d = ph_plane_at(depth, (uint32_t)from, (uint32_t)in->y); /* that of a pixel */
+    const uint32_t d = ph_plane_at(depth, (uint32_t)from, (uint32_t)in->y); /* the depth of a pixel */
     o->least = d - most_growth(-gx, from, x0, x1) - most_growth(-gy, in->y, in->y, last);
     *nearest = d + most_growth(gx, from, x0, x1) + most_growth(gy, in->y, in->y, last);
     if (ph_max(from, from_last) == 0) {

@@ -11,7 +11,7 @@
 /* n pixels of a row. */
 struct piece_of_row {
     uint16_t *pixels;
-    void *depth; /* both are of the first pixel */
+    void *depth; /* depth and pixels of the first pixel */
     uint32_t n, d, gd;
     uint32_t red, green, blue; /* at the first pixel */
 };

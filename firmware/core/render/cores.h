@@ -5,7 +5,7 @@
 #include "band.h"
 #include "render.h"
 
-#define PH_SHARED_LEAST 32 /* of fewer vertices or triangles one core does all */
+#define PH_SHARED_LEAST 32 /* with fewer vertices or triangles one core does all */
 
 /* Runs a function on both cores: with `mine` on this one and with `others` on the other one. If there is no other core,
  * or it is busy, both run here. Returns when both are done. Neither may change what the other reads. */

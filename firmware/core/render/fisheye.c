@@ -14,7 +14,7 @@
 #define LONG        20           /* edges longer than this part of a turn are divided always */
 #define REACH       (2048 * 256) /* set-up takes coordinates up to here from the centre, 1/256 px */
 #define PART_Q32(v) ((uint32_t)((v)*4294967296.0))
-#define G_SHIFT     23 /* of c in Q29: 64 steps from 0 to 1 */
+#define G_SHIFT     23 /* from c in Q29 to a step of the table: 64 steps from 0 to 1 */
 
 /* theta / sin theta at c = cos theta = i / 64 (above 1: arcosh c / sinh arcosh c), Q30. */
 PH_TIER(few)

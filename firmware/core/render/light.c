@@ -46,7 +46,7 @@ static void unit_q14(const int32_t in[3], int16_t out[3])
 /* A vector's square and its exponent: the vector is sqrt(square) 2^(bits - 14) long. */
 struct length {
     uint32_t square; /* 2^26 .. 3 2^28, or 0 */
-    int bits;        /* of the largest component */
+    int bits;        /* of the vector's largest component */
 };
 
 /* The unit vector of a vector in Q1.14, 6.2e-5 off: unit_q14 without its division, for work at each vertex. */

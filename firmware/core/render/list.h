@@ -22,7 +22,7 @@ struct ph_ref {
                            list stands, 0 at the end, or PH_LINK_FAR */
 };
 
-#define PH_LINK_FAR   UINT16_MAX /* that far or further */
+#define PH_LINK_FAR   UINT16_MAX /* the next one of the list is that far away or further */
 #define PH_LINK_AFTER 0x8000     /* or more: it is in no band's list, but drawn after the opaque triangles */
 
 enum ph_draw_kind {

@@ -30,7 +30,7 @@ struct part_context {
     struct ph_local_lights lights;
     uint32_t codes; /* clip codes of all vertices, combined by OR */
     bool lit, two_sided, curved;
-    bool coloured, lit_coloured; /* of the part; of lit_as */
+    bool coloured, lit_coloured; /* the part has lit colours; lit_as has them */
     bool mixed;                  /* the vertices have the lights of several materials */
 };
 

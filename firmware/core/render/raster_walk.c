@@ -12,7 +12,7 @@
 /* n pixels of a row of a triangle. */
 struct row {
     uint16_t *pixels;
-    void *depth;    /* as in struct ph_band; both are of the first pixel */
+    void *depth;    /* as in struct ph_band; pixels and depth are those of the first pixel */
     uint32_t n, d;  /* d: depth at the first pixel, in units of the plane */
     uint32_t light; /* Gouraud: at the first pixel */
 };

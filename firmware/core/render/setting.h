@@ -15,7 +15,7 @@ struct ph_setting {
     bool floats;           /* float16, else fixed16 */
     bool keeps_light; /* a small triangle keeps the light that ph_setup_small has set: else see ph_set_usual_light */
     uint8_t shading;  /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
-    bool fine;        /* of samples */
+    bool fine;        /* pixels are samples */
     struct ph_usual usual; /* base: with PH_DRAW_UVS a struct ph_corner; ramp: the material's, or its colour as the only
                               entry; bias: what is added to the codes of the format, in fixed16 to N/w (depth.h) */
     const struct ph_renderer *r;

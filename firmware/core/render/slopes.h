@@ -4,7 +4,7 @@
 
 #include "edge.h"
 
-#define PH_SLOPE_BITS 15 /* that are kept of a difference and of a side */
+#define PH_SLOPE_BITS 15 /* so many bits are kept of a difference and of a side */
 
 static inline struct ph_slopes ph_slopes_of(const struct ph_sides *s)
 {

@@ -34,7 +34,7 @@
     .endif
     .endm
 
-    .macro codes word, scratch @ both of a pixel
+    .macro codes word, scratch @ of both samples of a pixel
     lsr \scratch, r2, #16
     add \word, r2, r4
     add r2, \word, r4

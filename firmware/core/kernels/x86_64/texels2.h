@@ -59,7 +59,7 @@ static inline bool texels2_fit(const struct ph_texel_run *r)
     if (r->row.u_mask >= 512) {
         return false;
     }
-    if (rows <= 16) { /* as in every band of 16 lines */
+    if (rows <= 16) { /* which holds in bands of 16 lines */
         return texels2_within(&r->u, _mm_setr_epi32(1 << 29, 1 << 24, 1 << 24, 1 << 19),
                               _mm_setr_epi32(1 << 21, 1 << 18, 1, 1));
     }
