@@ -1,4 +1,5 @@
-/* See sim_model.h. What all models of controllers share: complaints, and the count of complete frames. */
+/* See sim_model.h. What all models of controllers share: complaints, and whether each pixel of the glass was written.
+ */
 #include "sim_model.h"
 
 #include <stdarg.h>

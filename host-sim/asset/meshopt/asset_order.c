@@ -1,5 +1,5 @@
-/* See asset_mesh.h. meshoptimizer joins equal vertices and sorts triangles so that a vertex's corners come close
- * together. */
+/* See asset_mesh.h. meshoptimizer makes equal vertices one, and sorts triangles so that vertices are used again soon.
+ */
 #include "asset_mesh.h"
 
 #include <meshoptimizer.h>
