@@ -140,7 +140,7 @@ long_readme() { awk 'END { if (NR > 300) { print FILENAME " has " NR " lines, 30
 
 odd_beginnings() { # folder...: comments that have to be read twice
     grep -rnE --include='*.[chSs]' --include='*.sh' --include='*.mk' --include='*.awk' --include='*.mjs' --include='*.ld' --include=Makefile \
-        '(/\*+|//|^ *#|^ *\*) *(What of|Of this)\b' "$@"
+        '(/\*+|//|^ *#|^ *\*) *(What of|Of (this|a|an|the|its)|Those of|The same (for|as)|Both (for|of)|Below it)\b' "$@"
 }
 
 # ---- totality -------------------------------------------------------------------------------------
