@@ -3,7 +3,8 @@
  *
  * An image takes at most image_ram: 60 % of the chip's RAM, so that a program has room beside it; with two cores more,
  * for the next frame's scene and more code. What code in RAM, stack and variables take is up to the link. scene_bytes
- * is what is left then, in whole KB, and at least 2 KB less, so that code may grow. `make budgets` calculates it again.
+ * is what is left then, in steps of 512 bytes, less a reserve into which code may grow: 2,304 bytes where it runs from
+ * RAM, else 768. `make budgets` calculates it again.
  */
 #ifndef BUDGETS_H
 #define BUDGETS_H

@@ -188,7 +188,7 @@ $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 
 STACK := $(B)/$(APP_NAME).stack
 $(STACK): $(IMAGE_OBJ) firmware/tools/stack.sh firmware/tools/stack.awk
-	$(Q)firmware/tools/stack.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' '$(PORT_STACK_EXTRA)' >'$@.new' && mv '$@.new' '$@'
+	$(Q)firmware/tools/stack.sh '$(OUT).elf' '$(PORT_STACK_EXTRA)' '$(B)' $(IMAGE_OBJ:%='%') >'$@.new' && mv '$@.new' '$@'
 
 # What the linker script includes: the tiers of functions that this image runs from RAM, and those that it runs from flash.
 tier_sections = $(foreach tier,$(1),*(.tier.$(tier).*))

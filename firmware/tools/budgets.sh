@@ -32,6 +32,7 @@ scene_of() { # board
 }
 
 arenas() {
+    command -v qemu-system-arm >/dev/null || { echo "budgets: no qemu-system-arm: apt-get install qemu-system-arm" >&2 && return 1; }
     make -s B="$B" firmware BOARD=lm3s6965evb APP=arenas >&2 && head -n 1 "$list"
     timeout 60 qemu-system-arm -M lm3s6965evb -display none -monitor none -serial stdio -nic none -semihosting-config enable=on,target=native \
         -kernel "$B/firmware/lm3s6965evb-arenas.elf" 2>/dev/null | tr -d '\r' | grep '^{.*},$'
@@ -42,7 +43,8 @@ if [ "${1-}" = arenas ]; then
     exit
 fi
 if [ $# = 1 ]; then
-    echo "$1: scene_bytes may be $(scene_of "$1")"
+    bytes=$(scene_of "$1")
+    echo "$1: scene_bytes may be $bytes"
     exit
 fi
 new=$(mktemp) && trap 'rm -f "$new"' EXIT
@@ -51,9 +53,9 @@ cmp -s "$new" "$list" || cat "$new" >"$list"
 cp "$file" "$new"
 while read -r name was; do
     board=$(basename "$(dirname "$(grep -l "[ ,]$name," boards/*/board.c | head -n 1)")")
-    units=$(($(scene_of "$board") / 512))
-    change=$(((units - was) * 512))
-    echo "$name: scenes have $((units * 512)) bytes$([ $change = 0 ] || printf ', %+d: about %d triangles of 24 bytes' $change $((change / 24)))"
+    bytes=$(scene_of "$board")
+    units=$((bytes / 512)) change=$((bytes - was * 512))
+    echo "$name: scenes have $bytes bytes$([ $change = 0 ] || printf ', %+d: about %d triangles of 24 bytes' $change $((change / 24)))"
     sed -i "s/^\(#define $name .*scene_bytes = \)[0-9]*/\1$units/" "$new"
 done < <(sed -n 's/^#define \(BUDGET_[A-Z0-9]*\) .*scene_bytes = \([0-9]*\) \* 512$/\1 \2/p' "$file")
 cmp -s "$new" "$file" || cat "$new" >"$file"

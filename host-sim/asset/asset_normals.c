@@ -2,10 +2,10 @@
  * crease. */
 #include "asset_mesh.h"
 
+#include "model_normals.h"
+
 #include <math.h>
 #include <stdlib.h>
-
-#define COS_CREASE .40673664307580015 /* 66 degrees, as model.h */
 
 struct corner {
     const struct fx_vec3 *place;
@@ -55,7 +55,7 @@ static void add_neighbours(const struct corner *group, size_t count, const doubl
 {
     for (size_t i = 0; i < count; i++) {
         const double *face = faces[group[i].index / 3];
-        if (dot(face, own) >= COS_CREASE * sqrt(dot(face, face) * dot(own, own))) {
+        if (dot(face, own) >= MODEL_CREASE_COSINE * sqrt(dot(face, face) * dot(own, own))) {
             for (int axis = 0; axis < 3; axis++) {
                 sum[axis] += face[axis];
             }

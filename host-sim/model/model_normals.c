@@ -6,9 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define CREASE_COSINE .40673664307580021 /* of MODEL_CREASE_DEGREES */
-#define NEAR          1e-4               /* of the diagonal of the box around all */
-#define MEETING_MAX   1024               /* keeps the time for a fan of n triangles below n * n */
+#define NEAR        1e-4 /* of the diagonal of the box around all */
+#define MEETING_MAX 1024 /* keeps the time for a fan of n triangles below n * n */
 
 /*
  * Corners that are at most `near` apart meet: each hangs in the list of the first one that came there, which is found
@@ -120,7 +119,7 @@ static void mean_normal(const struct meeting *m, uint32_t first, float (*faces)[
     uint32_t seen = 0;
     for (uint32_t k = first; k != 0 && seen < MEETING_MAX; k = m->next[k - 1], seen++) {
         const float *other = faces[k - 1];
-        if (k - 1 == i || dot(own, other) >= CREASE_COSINE) {
+        if (k - 1 == i || dot(own, other) >= MODEL_CREASE_COSINE) {
             sum[0] += (double)other[0];
             sum[1] += (double)other[1];
             sum[2] += (double)other[2];

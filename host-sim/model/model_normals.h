@@ -5,7 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define MODEL_CREASE_DEGREES 66 /* edges sharper than this stay sharp */
+#define MODEL_CREASE_DEGREES 66                /* edges sharper than this stay sharp */
+#define MODEL_CREASE_COSINE  .4067366430758002 /* of these degrees */
 
 /* The normal of a triangle, of length 1; 0 where it has no area. */
 void model_normals_face(const float *a, const float *b, const float *c, float normal[3]);

@@ -94,7 +94,7 @@ bool model_weld(struct model_scene *scene, const struct model_triangles *from)
         w.mask = w.mask * 2 + 1;
     }
     w.table = calloc(w.mask + 1, sizeof *w.table);
-    w.vertices = calloc(w.mask + 1, sizeof *w.vertices);
+    w.vertices = calloc((w.mask + 1) / 2, sizeof *w.vertices); /* the table has twice as many places as vertices */
     bool done = w.table != NULL && w.vertices != NULL;
     for (uint32_t next = 0; done && next < from->count;) {
         struct model_mesh *more = model_shared_grow(scene->meshes, scene->mesh_count, sizeof *more);

@@ -5,15 +5,15 @@
 # mesh lies in flash. Each frame is the computer's, no triangle is left out, and the image keeps within 60 % of the chip's
 # RAM, with RAM_CODE=small, or the exit status is 1.
 # Prints: cores, frames/s, frames/s of the slowest frame, RAM of the image in % of the chip's.
-# Environment: B, CC, CORES ("1 2"); LINES_A_BAND, BUFFERS (of the bands), KIB (of RAM beside that for code);
+# Environment: B, CC, CORES ("1 2"); LINES_A_BAND, BUFFERS (of the bands), SCENE_BYTES (of RAM, for scenes);
 # LIGHT (daylight, which is one lamp, or two_lamps).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export B=${B:-build}
-dir=$B/bench-walker board=pico-display-2-walker frames=${1:-64} kib=${KIB:-127} light=${LIGHT:-daylight} most=162201 # 60 % of 264 KiB
+dir=$B/bench-walker board=pico-display-2-walker frames=${1:-64} scene=${SCENE_BYTES:-118272} light=${LIGHT:-daylight} most=162201 # 60 % of 264 KiB
 rm -rf "$dir"
 mkdir -p "$dir/kits/$board"
-sed "s/board_pico_display_2 /board_${board//-/_} /; s/BUDGET_RP2040/.scene_bytes = $((1024 * kib - 9472)), .image_ram = {$most, $most}/; s/\.band_height = 16/.band_height = ${LINES_A_BAND:-10}, .band_buffers = ${BUFFERS:-2}/" boards/pico-display-2/board.c >"$dir/kits/$board/board.c"
+sed "s/board_pico_display_2 /board_${board//-/_} /; s/BUDGET_RP2040/.scene_bytes = $scene, .image_ram = {$most, $most}/; s/\.band_height = 16/.band_height = ${LINES_A_BAND:-10}, .band_buffers = ${BUFFERS:-2}/" boards/pico-display-2/board.c >"$dir/kits/$board/board.c"
 cp boards/pico-display-2/board.mk "$dir/kits/$board"
 
 make -s "$B/pinhole-wire" "$B/libpinhole.a" "$B/libpinhole-app.a" "$B/libpinhole-host.a" >&2

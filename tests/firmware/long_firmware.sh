@@ -103,7 +103,7 @@ stack_grows_with_the_program() { # whose main() has a buffer that is larger than
 
 no_call_graph() { # of one object, as ccache leaves it
     local graph=$B/firmware/$board-objects/firmware/core/render/raster.ci said
-    mv "$graph" "$dir" && said=$(firmware/tools/stack.sh image "$B/firmware/$board-objects" main-demos 40 2>&1) && echo "accepts it" && return 1
+    mv "$graph" "$dir" && said=$(firmware/tools/stack.sh image 40 "$B/firmware/$board-objects" "${graph%.ci}.o" 2>&1) && echo "accepts it" && return 1
     mv "$dir/raster.ci" "$graph" && grep -q "no call graph of firmware/core/render/raster.c, so the stack has no bound" <<<"$said" || { echo "$said" && return 1; }
 }
 
@@ -240,8 +240,8 @@ code_may_grow() {
     local tree=$dir/tree board cores
     mkdir -p "$tree" && cp -a Makefile firmware hal boards host-sim "$tree/" && cd "$tree" || return 1
     sed -i 's/^struct ph_renderer {$/&\n    uint32_t more[64];/' firmware/core/render.h
-    sed -i '/^int ph_mesh_draw(/,/^}/s/^{$/{ more();/' firmware/core/render/mesh.c
-    sed -i 's/^int ph_mesh_draw(/static __attribute__((noinline)) void more(void) { __asm__ volatile(".rept 1022\\n nop\\n .endr"); }\n&/' firmware/core/render/mesh.c
+    sed -i '/^PH_TIER(mesh) int ph_draw_mesh(/,/^}/s/^{$/{ more();/' firmware/core/render/mesh.c
+    sed -i 's/^PH_TIER(mesh) int ph_draw_mesh(/PH_TIER(mesh) static __attribute__((noinline)) void more(void) { __asm__ volatile(".rept 1022\\n nop\\n .endr"); }\n&/' firmware/core/render/mesh.c
     grep -q more firmware/core/render.h && grep -q '^{ more' firmware/core/render/mesh.c || return 1
     for board in pico-display-2 pico2-display lm3s6965evb feather-stm32f405; do
         for cores in 1 2; do

@@ -72,6 +72,15 @@ int f(int n); int f(int n) /* called as run */
     return n ? g(f) + 1 : 0;
 }'
 check "the_check_sees_a_function_that_is_given_away" objects_to 'f is given away' stack 'int g(int (*run)(int)); int f(int n); int f(int n) { return n ? g(f) + 1 : 0; }'
+check "the_check_sees_a_misspelt_name" objects_to 'f is called as rnu' stack '
+int g(int (*run)(int)); int g(int (*run)(int))
+{
+    return run(3) + 1;
+}
+int f(int n); int f(int n) /* called as rnu */
+{
+    return n ? g(f) + 1 : 0;
+}'
 check "the_check_sees_a_pointer_without_a_name" objects_to 'it has no name' stack 'int f(long n); int f(long n) { return ((int (*)(void))n)() + 1; }'
 check "the_check_sees_a_static_variable" objects_to count written 'int f(void); int f(void) { static int count; return count++; }'
 

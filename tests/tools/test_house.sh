@@ -143,6 +143,15 @@ odd_beginnings() { # folder...: comments that have to be read twice
         '(/\*+|//|^ *#|^ *\*) *(What of|Of (this|a|an|the|its)|Those of|The same (for|as)|Both (for|of)|Below it)\b' "$@"
 }
 
+# Notes "called as NAME" (firmware/tools/stack.awk) of which no call has the name: such a function's stack would not count.
+misspelt() { # folder...
+    local name
+    grep -rhoE --include='*.[ch]' '/\* called as [a-z_0-9, ]+' "$@" | sed 's/.*called as //' | tr -s ', ' '\n' | sort -u | while read -r name; do
+        case $name in '' | vector | rom) continue ;; esac
+        grep -rqE --include='*.[ch]' "(->|\\.|\\(\\*|[ (!])$name\\)?\\(|/\\* calls [a-z_0-9, ]*\\b$name\\b" "$@" || echo "called as $name: no pointer of that name is called"
+    done
+}
+
 # ---- totality -------------------------------------------------------------------------------------
 
 # Functions of these headers, but of the renderer's, that a test does not name.
@@ -233,6 +242,9 @@ check "... 301 are seen" sees 'has 301 lines' long_readme "$dir/long.md"
 check "no comment begins with words that have to be read twice" none odd_beginnings "${product[@]}" tests Makefile
 printf 'int a;\n/* %s of a line is drawn. */\n' What >"$dir/circle/odd.c"
 check "... one that does is seen" sees 'odd.c:2' odd_beginnings "$dir/circle"
+check "what a function is called as is called" none misspelt firmware hal
+printf 'static void f(void) /* called as rnu */\n' >"$dir/circle/odd.c"
+check "... a misspelt name is seen" sees 'called as rnu' misspelt "$dir/circle"
 check "fuzz_total calls every public function but the renderer's own" none uncalled tests/core/fuzz_total.c firmware/core/*.h
 check "... one that it leaves out is seen" sees 'does not call fx_vec3_new$' an_uncalled_function
 functions firmware hal boards >"$dir/functions"

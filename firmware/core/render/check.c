@@ -54,8 +54,3 @@ bool ph_check_materials(const struct ph_renderer *r)
     }
     return true;
 }
-
-int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
-{
-    return ph_check_mesh(mesh) && to_world != NULL ? ph_mesh_draw(r, mesh, to_world) : PH_ERR_INVAL;
-}

@@ -19,8 +19,4 @@ bool ph_check_mesh(const struct ph_mesh *mesh);
 /* Whether the materials of all draws are as they were when they were drawn. */
 bool ph_check_materials(const struct ph_renderer *r);
 
-/* ph_draw_mesh behind its check, in mesh.c, which runs from RAM on an RP2040; the check runs from flash, and
- * ph_draw_mesh lies beside it: in mesh.c it took another 40 bytes of RAM. */
-int ph_mesh_draw(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
-
 #endif

@@ -500,8 +500,11 @@ PH_TIER(mesh) static void draw_part(struct part_context *c, const struct ph_part
     }
 }
 
-PH_TIER(mesh) int ph_mesh_draw(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
+PH_TIER(mesh) int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
+    if (!ph_check_mesh(mesh) || to_world == NULL) {
+        return PH_ERR_INVAL;
+    }
     const struct ph_mark mark = ph_list_mark(r);
     const uint32_t n = mesh->vertex_count, place = n - 1 < r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;
     if (place == PH_NONE) {

@@ -12,9 +12,9 @@
 /* n pixels of a row of a triangle. */
 struct row {
     uint16_t *pixels;
-    void *depth;    /* as in struct ph_band; pixels and depth are those of the first pixel */
-    uint32_t n, d;  /* d: depth at the first pixel, in units of the plane */
-    uint32_t light; /* Gouraud: at the first pixel */
+    void *depth;            /* as in struct ph_band; pixels and depth are those of the first pixel */
+    uint32_t n, d;          /* d: depth at the first pixel, in units of the plane */
+    uint32_t light, glight; /* Gouraud: at the first pixel, and per pixel; else not read */
 };
 
 /* Draws a run of pixels along which the depth code is linear. */
@@ -22,18 +22,17 @@ static inline void draw_run(const struct ph_triangle *t, bool depth24, const str
 {
     const bool gouraud = t->kind == PH_KIND_GOURAUD, linear = t->block == PH_BLOCK_LINEAR;
     const struct ph_linear *const codes = &t->as.large.depth.over_w.linear;
-    const struct ph_plane *const of_light = &t->as.large.of.light;
     const uint16_t *const ramp = t->material->ramp;
     if (depth24 && gouraud) {
-        ph_span_gouraud24(row->pixels, row->depth, row->n, row->d, gd, row->light, of_light->gx, ramp);
+        ph_span_gouraud24(row->pixels, row->depth, row->n, row->d, gd, row->light, row->glight, ramp);
     } else if (depth24) {
         ph_span_flat24(row->pixels, row->depth, row->n, row->d, gd, t->as.large.of.colour);
     } else if (linear && gouraud) {
-        ph_span_gouraud_linear(row->pixels, row->depth, row->n, row->d, gd, codes, row->light, of_light->gx, ramp);
+        ph_span_gouraud_linear(row->pixels, row->depth, row->n, row->d, gd, codes, row->light, row->glight, ramp);
     } else if (linear) {
         ph_span_flat_linear(row->pixels, row->depth, row->n, row->d, gd, codes, t->as.large.of.colour);
     } else if (gouraud) {
-        ph_span_gouraud(row->pixels, row->depth, row->n, row->d, gd, row->light, of_light->gx, ramp);
+        ph_span_gouraud(row->pixels, row->depth, row->n, row->d, gd, row->light, row->glight, ramp);
     } else {
         ph_span_flat(row->pixels, row->depth, row->n, row->d, gd, t->as.large.of.colour);
     }
@@ -50,7 +49,7 @@ static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
         draw_run(t, depth24, &row, piece.gd);
         row.pixels += row.n;
         row.depth = ph_depth_from(row.depth, row.n, depth24);
-        row.light += t->kind == PH_KIND_GOURAUD ? t->as.large.of.light.gx * row.n : 0;
+        row.light += row.glight * row.n;
         d += t->as.large.depth.as.plane.gx * row.n;
         left -= row.n;
     }
@@ -60,16 +59,22 @@ static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
 PH_TIER(figure)
 static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
+    static const struct ph_plane no_light = {0, 0, 0};
     const uint32_t stride = band->stride;
     const struct ph_plane *const depth = &t->as.large.depth.as.plane;
+    const struct ph_plane *const shade = t->kind == PH_KIND_GOURAUD ? &t->as.large.of.light : &no_light;
     uint32_t at = (uint32_t)(in.y - band->y0) * stride, count = 0;
+    uint32_t d = ph_plane_at(depth, 0, (uint32_t)in.y), light = ph_plane_at(shade, 0, (uint32_t)in.y);
     for (; in.y < in.y_end; in.y++) {
         int32_t from, to;
         if (ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
-            const uint32_t x = (uint32_t)from, y = (uint32_t)in.y, n = (uint32_t)(to - from);
-            const struct row row = {band->pixels + at + x, ph_depth_from(band->depth, at + x, band->depth24), n,
-                                    ph_plane_at(depth, x, y),
-                                    t->kind == PH_KIND_GOURAUD ? ph_plane_at(&t->as.large.of.light, x, y) : 0};
+            const uint32_t x = (uint32_t)from, n = (uint32_t)(to - from);
+            const struct row row = {band->pixels + at + x,
+                                    ph_depth_from(band->depth, at + x, band->depth24),
+                                    n,
+                                    d + x * depth->gx,
+                                    light + x * shade->gx,
+                                    shade->gx};
             if (t->block >= PH_BLOCK_LINEAR) { /* no octaves to cross */
                 draw_run(t, band->depth24, &row, depth->gx);
             } else {
@@ -78,6 +83,8 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
             count += n;
         }
         at += stride;
+        d += depth->gy;
+        light += shade->gy;
     }
     return count;
 }
@@ -116,7 +123,7 @@ static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band
             if (t->block == PH_BLOCK_NONE || take_code(t, &octave, n, &d, &slope)) {
                 ph_span_flat(pixels + from, depth + from, n, d, slope, colour);
             } else {
-                draw_span(t, false, (struct row){pixels + from, depth + from, n, d, 0});
+                draw_span(t, false, (struct row){pixels + from, depth + from, n, d, 0, 0});
             }
             count += n;
         }
@@ -145,5 +152,5 @@ PH_NOINLINE void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y
     const uint32_t at = (uint32_t)(y - band->y0) * band->stride + (uint32_t)x;
     draw_span(t, band->depth24,
               (struct row){band->pixels + at, ph_depth_from(band->depth, at, band->depth24), 1,
-                           ph_plane_at(&t->as.large.depth.as.plane, (uint32_t)x, (uint32_t)y), 0});
+                           ph_plane_at(&t->as.large.depth.as.plane, (uint32_t)x, (uint32_t)y), 0, 0});
 }
