@@ -281,7 +281,7 @@ static void start(struct sim *sim, uint8_t code)
         break;
     case DISPON:
         if (!sim_frame_complete(sim)) {
-            sim_complain(sim, SIM_ON_WITHOUT_FRAME, "DISPON before a complete frame");
+            sim_complain(sim, SIM_ON_WITHOUT_FRAME, "DISPON (29h) before a complete frame");
         }
         d->on = true;
         break;

@@ -173,7 +173,7 @@ static void lock(struct sim *sim, uint8_t value)
 static void display_on(struct sim *sim)
 {
     if (!sim_frame_complete(sim)) {
-        sim_complain(sim, SIM_ON_WITHOUT_FRAME, "display on before a complete frame");
+        sim_complain(sim, SIM_ON_WITHOUT_FRAME, "display on (AFh) before a complete frame");
     }
     sim->u.ssd.on = true;
 }
