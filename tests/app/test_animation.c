@@ -118,14 +118,14 @@ static void what_an_animation_needs_is_what_its_meshes_need(void **state)
 static void it_takes_the_bytes_that_it_says_and_does_without_none(void **state)
 {
     (void)state;
-    static uint64_t memory[512];
+    static uint64_t room[512];
     const struct animation_need need = animation_need(&scene);
     const size_t bytes = animation_bytes(&need, &scene, MESHES, false);
-    struct demo_arena arena = {(uint8_t *)memory, sizeof memory, 0};
+    struct demo_arena arena = {(uint8_t *)room, sizeof room, 0};
     assert_non_null(animation_begin(&arena, &scene, meshes, MESHES));
     assert_int_equal((arena.used + 7) / 8 * 8, bytes);
     for (size_t size = 0; size < bytes; size += 8) {
-        struct demo_arena small = {(uint8_t *)memory, size, 0};
+        struct demo_arena small = {(uint8_t *)room, size, 0};
         assert_null(animation_begin(&small, &scene, meshes, MESHES));
     }
 }

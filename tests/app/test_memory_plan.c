@@ -201,8 +201,8 @@ static void a_small_side_counts_whichever_it_is(void **state)
     config.board = &wide;
     thing.coarser_count = 1;
     coarse.enough_px = 135;
-    for (uint8_t rotation = PANEL_R0; rotation <= PANEL_R90; rotation++) {
-        config.rotation = rotation;
+    for (int rotation = PANEL_R0; rotation <= PANEL_R90; rotation++) {
+        config.rotation = (uint8_t)rotation;
         assert_int_equal(memory_plan(&config, &thing).scene.triangle_max, 100);
     }
 }

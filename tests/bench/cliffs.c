@@ -257,18 +257,18 @@ enum { TEXEL_U = 1 << 22, TEXEL_V = 1 << 20, FAR = 1 };
 
 static void nearest_rows(uint32_t n)
 {
-    struct ph_texel_rows r = {.right = n << 16,
-                              .d = 1u << 31,
-                              .depth = (uint16_t *)(void *)depth,
-                              .pixels = pixels,
-                              .stride_bytes = 2 * WIDTH,
-                              .u_mask = (1u << LOG2) - 1,
-                              .v_mask = ((1u << LOG2) - 1) << LOG2,
-                              .texels = texels,
-                              .columns = n,
-                              .rows = HEIGHT,
-                              .u = {.step = TEXEL_U},
-                              .v = {.step = TEXEL_V}};
+    struct ph_tile_rows r = {.row = {.right = n << 16,
+                                     .d = 1u << 31,
+                                     .depth = (uint16_t *)(void *)depth,
+                                     .pixels = pixels,
+                                     .stride_bytes = 2 * WIDTH,
+                                     .u_mask = (1u << LOG2) - 1,
+                                     .v_mask = ((1u << LOG2) - 1) << LOG2,
+                                     .texels = texels,
+                                     .rows = HEIGHT},
+                             .columns = n,
+                             .u = {.step = TEXEL_U},
+                             .v = {.step = TEXEL_V}};
     ph_texture_tile(&r);
 }
 

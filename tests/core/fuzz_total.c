@@ -539,7 +539,7 @@ static void overlays(const int32_t *a)
     ph_overlay_sprite(&band, a[0] % 64, band.y0 + a[1] % 64, &sprite);
     check(ph_overlay_width(text, style.scale) >= 0 && ph_text_width(text, style.scale) >= 0, "a width is negative");
     check(ph_overlay_stats(number, (uint32_t)a[0], (uint32_t)a[1]) == strlen(number), "ph_overlay_stats");
-    check(ph_text_number(number, a[0]) == strlen(number) && atoll(number) == a[0], "ph_text_number");
+    check(ph_text_number(number, a[0]) == strlen(number) && strtoll(number, NULL, 10) == a[0], "ph_text_number");
     free(pixels);
 }
 

@@ -98,7 +98,7 @@ static void what_the_rp2350_sets_has_3_ns_on_both_sides(void **state)
             assert_true(!is_safe(150, divider, delay, &unknown));
         }
     }
-    for (double mhz = 1; mhz <= 150; mhz++) {
+    for (int mhz = 1; mhz <= 150; mhz++) {
         assert_true(is_safe(mhz, RP2350_FLASH_W25Q_DIVIDER, RP2350_FLASH_DELAY, &w25q));
         assert_true(is_safe(mhz, RP2350_FLASH_UNKNOWN_DIVIDER, RP2350_FLASH_DELAY, &unknown));
     }
@@ -108,7 +108,7 @@ static void what_the_rp2350_sets_has_3_ns_on_both_sides(void **state)
 static void a_slower_clk_sys_does_not_spoil_it(void **state)
 {
     (void)state;
-    for (double mhz = 1; mhz <= 125; mhz++) {
+    for (int mhz = 1; mhz <= 125; mhz++) {
         assert_true(is_safe(mhz, RP2040_FLASH_W25Q_DIVIDER, 2 * RP2040_FLASH_DELAY, &w25q));
         assert_true(is_safe(mhz, RP2040_FLASH_UNKNOWN_DIVIDER, 2 * RP2040_FLASH_DELAY, &unknown));
     }

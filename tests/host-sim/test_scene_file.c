@@ -304,6 +304,7 @@ static struct scene_file_head *copy_with_camera(uint8_t *bytes)
     return head;
 }
 
+/* NOLINTBEGIN(readability-non-const-parameter): all kinds are functions of one type. */
 /* Each breaks one thing of a scene that has a camera; line: how it is refused, or NULL: it is meant. */
 #define KIND(what, line, statement)                                                                                    \
     static void what(uint8_t *bytes, struct scene_file_head *head)                                                     \
@@ -488,6 +489,7 @@ KIND(a_key_of_length_0, NULL, memset(bytes + track_in(bytes)->keys, 0, sizeof(in
 KIND(no_clip, NULL, motion_in(bytes)->clip_count = 0)
 KIND(a_node_of_no_size, NULL, nodes_in(bytes)->rest.s = ((struct fx_vec3){0, 0, 0}))
 KIND(a_root_of_no_size, NULL, memset(motion_in(bytes)->r, 0, sizeof motion_in(bytes)->r))
+/* NOLINTEND(readability-non-const-parameter) */
 
 static void each_kind_of_wrong_motion_is_refused_or_is_meant(void **state)
 {

@@ -116,7 +116,8 @@ static size_t change_word(char *text, size_t n, size_t room)
     if (i < sizeof words / sizeof words[0]) {
         snprintf(with, sizeof with, "%s", words[i]);
     } else {
-        snprintf(with, sizeof with, i % 2 != 0 ? "%" PRIu32 : "%" PRIx32, fuzz_number());
+        const uint32_t number = fuzz_number();
+        snprintf(with, sizeof with, i % 2 != 0 ? "%" PRIu32 : "%" PRIx32, number);
     }
     const size_t length = strlen(with);
     if (n - old + length > room) {

@@ -42,7 +42,7 @@ proofs='tests/proof/*'
 # A file that was clean is read again when it, a header or the rules have changed.
 tidy_one() { # file, include paths
     local file=$1 stamp=$B/tidy/${1//\//-}
-    [[ $stamp -nt $file && $stamp -nt $newest ]] || { clang-tidy --quiet "$file" -- -std=c11 "${@:2}" 2>/dev/null && touch "$stamp"; }
+    [[ $stamp -nt $file && $stamp -nt $newest ]] || { clang-tidy --quiet "$file" -- -std=c11 -I"${file%/*}" "${@:2}" 2>/dev/null && touch "$stamp"; }
 }
 
 tidy() {

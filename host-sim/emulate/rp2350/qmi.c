@@ -130,8 +130,8 @@ static uint64_t byte_time(const struct chip *chip)
 static bool is_busy(const struct chip *chip)
 {
     const struct qmi *qmi = &chip->qmi;
-    const bool clocks = qmi->clocks_end != 0 && chip->now < qmi->clocks_end + byte_time(chip) / 16;
-    return clocks || chip->now < qmi->selected_until;
+    const bool is_clocked = qmi->clocks_end != 0 && chip->now < qmi->clocks_end + byte_time(chip) / 16;
+    return is_clocked || chip->now < qmi->selected_until;
 }
 
 /* Selects the flash while the QMI is busy, if AUTO_CS0N is set. */

@@ -146,12 +146,13 @@ static uint32_t count_nodes(const struct aiNode *node)
 struct converted {
     const struct model_mesh *meshes;
     const uint32_t *first;
+    bool is_whole; /* false: a node's meshes are missing, for want of memory */
 };
 
 /* Adds a node, copies of the meshes that it shows, and what is below it; returns its number. Recursive, as assimp is.
  */
 static uint32_t convert_node(const struct aiScene *scene, const struct aiNode *from, uint32_t parent,
-                             const struct converted *meshes, struct model_scene *to)
+                             struct converted *meshes, struct model_scene *to)
 {
     const struct aiMatrix4x4 *m = &from->mTransformation;
     const uint32_t number = to->node_count++;
@@ -168,8 +169,12 @@ static uint32_t convert_node(const struct aiScene *scene, const struct aiNode *f
         const uint32_t of = from->mMeshes[i];
         for (uint32_t k = meshes->first[of]; k < meshes->first[of + 1]; k++) {
             struct model_mesh *more = model_shared_grow(to->meshes, to->mesh_count, sizeof *more);
-            if (more != NULL && meshes->meshes[k].material < to->material_count) {
-                to->meshes = more;
+            if (more == NULL) {
+                meshes->is_whole = false;
+                return number;
+            }
+            to->meshes = more;
+            if (meshes->meshes[k].material < to->material_count) {
                 to->meshes[to->mesh_count++] = meshes->meshes[k];
                 node->mesh_count++;
             }
@@ -195,6 +200,7 @@ static void set_vector(float to[3], const struct aiVector3D *from)
 static bool convert(const struct aiScene *from, struct model_scene *to)
 {
     struct model_scene all = {.mesh_count = 0};
+    /* NOLINTNEXTLINE(clang-analyzer-unix.Malloc): it lasts as long as the process, which reads one model */
     uint32_t *first = calloc((size_t)from->mNumMeshes + 1, sizeof *first);
     to->nodes = calloc(count_nodes(from->mRootNode), sizeof *to->nodes);
     bool done = first != NULL && to->nodes != NULL;
@@ -221,8 +227,9 @@ static bool convert(const struct aiScene *from, struct model_scene *to)
         set_vector(to->camera.forward, &camera->mLookAt);
         set_vector(to->camera.up, &camera->mUp);
     }
-    to->first_node = convert_node(from, from->mRootNode, MODEL_NONE, &(struct converted){all.meshes, first}, to);
-    return true;
+    struct converted meshes = {all.meshes, first, true};
+    to->first_node = convert_node(from, from->mRootNode, MODEL_NONE, &meshes, to);
+    return meshes.is_whole;
 }
 
 bool model_assimp_read(struct model_shared *shared, struct model_scene *to)
