@@ -112,15 +112,15 @@ void port_core_join(void)
 
 /* ---- the tests --------------------------------------------------------------------------------------------------- */
 
-static struct runner runner;
+static struct runner drawn;
 
 static int fresh(void **state)
 {
     (void)state;
     memset(&port, 0, sizeof port);
-    memset(&runner, 0, sizeof runner);
+    memset(&drawn, 0, sizeof drawn);
     port.typed = "";
-    runner.hal = test_hal;
+    drawn.hal = test_hal;
     return 0;
 }
 
@@ -134,11 +134,11 @@ static void a_line_a_second_tells_the_frames_of_that_second(void **state)
 {
     (void)state;
     struct console console = {.counted_us = 0};
-    runner.renderer.stats.triangles_dropped = 3;
-    runner.renderer.stats.vertices_dropped = 5;
+    drawn.renderer.stats.triangles_dropped = 3;
+    drawn.renderer.stats.vertices_dropped = 5;
     for (uint32_t frame = 0; frame < 50; frame++) {
         port.now_us += 40000;
-        report(&runner, &console, frame);
+        report(&drawn, &console, frame);
         if (frame % 25 == 24) {
             char line[100];
             snprintf(line, sizeof line, "frame %u, 25 frames/s, left out 3 triangles 5 vertices, stack 4032\r\n",
@@ -170,7 +170,7 @@ static void the_rate_after_a_hold_is_right_however_long_it_was(void **state)
         listen(&console, &test_hal);
         port.step_us = 0;
         port.now_us = holds[i].hold_us;
-        report(&runner, &console, 7);
+        report(&drawn, &console, 7);
         expect_said(holds[i].line);
     }
 }
@@ -180,10 +180,10 @@ static void while_it_holds_each_frame_has_a_line(void **state)
     (void)state;
     struct console console = {.holding = true};
     port.now_us = 999;
-    report(&runner, &console, 0); /* less than a millisecond has no rate */
+    report(&drawn, &console, 0); /* less than a millisecond has no rate */
     expect_said("frame 0, 0 frames/s, left out 0 triangles 0 vertices, stack 4032\r\n");
     port.now_us = 10999;
-    report(&runner, &console, 1);
+    report(&drawn, &console, 1);
     expect_said("frame 1, 100 frames/s, left out 0 triangles 0 vertices, stack 4032\r\n");
 }
 

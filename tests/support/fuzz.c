@@ -117,7 +117,7 @@ static size_t change_word(char *text, size_t n, size_t room)
         snprintf(with, sizeof with, "%s", words[i]);
     } else {
         const uint32_t number = fuzz_number();
-        snprintf(with, sizeof with, i % 2 != 0 ? "%" PRIu32 : "%" PRIx32, number);
+        snprintf(with, sizeof with, i % 2 != 0 ? "%u" : "%x", (unsigned)number);
     }
     const size_t length = strlen(with);
     if (n - old + length > room) {
