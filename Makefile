@@ -253,8 +253,8 @@ lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc 
 bench: ## instructions a frame of the eight scenes on Cortex-M0+, M3, M4F, M33, RV32 and x86-64, and the pictures' quality
 	$(Q)B='$(B)' tests/bench/bench.sh
 
-size: ## code size on a Cortex-M0+ of what images link of the core, by module; fails over the budget. BOARD=x: of its image
-	+$(Q)$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/tools/size.sh)
+size: ## code size on a Cortex-M0+ of what images link of the core, by module; fails over the budget. BOARD=x: of its image; PROGRAM=FILE.c: of a program
+	+$(Q)$(if $(PROGRAM),B='$(B)' tests/tools/program_size.sh $(PROGRAM),$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/tools/size.sh))
 
 depth: all ## measures what depth resolves for the default camera: a report in build/depth/ (plots need gnuplot)
 	$(Q)'$(B)/pinhole-depth' all --out '$(B)/depth' && echo '$(B)/depth/report.md'

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Programs take no more bytes than bytes.csv says: what each took when it was measured last (record), and its bar (must) from the
+# moment when it was reached. A bar that is not reached yet is told as skipped, with what is measured.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+unset MAKEFLAGS
+export B=${B:-build}
+command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi" && exit 77; }
+dir=$(mktemp -d) && trap 'rm -rf "$dir"' EXIT
+
+bytes_of() { tests/tools/program_size.sh "$@" | awk '$1 == "all" { print $2 }'; }
+
+takes_at_most() { # bytes, program...
+    local bytes
+    bytes=$(bytes_of "${@:2}")
+    [ "${bytes:-999999}" -le "$1" ] || { echo "${*:2}: ${bytes:-no} bytes, $1 are allowed" && return 1; }
+}
+
+# Within 2 % of the record, both ways: whoever saves more writes it down.
+is_as_recorded() { # record, bytes
+    [ "$2" -le $(($1 * 102 / 100)) ] || { echo "$2 bytes, $1 before" && return 1; }
+    [ "$2" -ge $(($1 * 98 / 100)) ] || { echo "$2 bytes, $1 before: write it into tests/size/bytes.csv" && return 1; }
+}
+
+while IFS=, read -r program must aim record; do
+    [ "$program" != program ] || continue
+    bytes=$(bytes_of "tests/size/$program.c")
+    check "${program}_takes_what_bytes.csv_says" is_as_recorded "$record" "${bytes:-0}"
+    if [ "$record" -le "$must" ]; then
+        check "${program}_takes_at_most_${must}_bytes" takes_at_most "$must" "tests/size/$program.c"
+    else
+        skip "${program}_takes_at_most_${must}_bytes" "$bytes today; the aim is $aim"
+    fi
+done <tests/size/bytes.csv
+
+# More code in a program is seen.
+{
+    echo '#include "picture.h"'
+    echo 'int main(void) { static const uint16_t more[4096] = {1}; return more[display]; }'
+} >"$dir/large.c"
+large_is_seen() { ! takes_at_most 8000 -Itests/size "$dir/large.c" && takes_at_most 9000 -Itests/size "$dir/large.c"; }
+check "more_constants_are_seen" large_is_seen
+more_is_told() { ! is_as_recorded 1000 1021 && ! is_as_recorded 1000 979 && is_as_recorded 1000 1020; }
+check "more_than_2_percent_are_told" more_is_told
+tap_end
