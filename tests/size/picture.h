@@ -26,14 +26,14 @@ static const struct ph_scene_light light = {
 
 /* The memory of a renderer with so many bytes of depth a pixel. */
 #define PICTURE(depth_bytes)                                                                                           \
-    static uint64_t room[ROOM * (PH_VERTEX_BYTES_32 + PH_TRIANGLE_BYTES_32) / 8];                                      \
+    static uint64_t room[ROOM * PH_VERTEX_BYTES_32 / 8], list[ROOM * PH_TRIANGLE_BYTES_32 / 8];                        \
     static uint64_t depth[WIDTH * BAND * (depth_bytes) / 8];                                                           \
     static uint16_t pixels[WIDTH * BAND];                                                                              \
     static uint32_t bins[HEIGHT / BAND];                                                                               \
     static struct ph_renderer renderer
 
 #define PICTURE_CONFIG                                                                                                 \
-    .width = WIDTH, .height = HEIGHT, .band_height = BAND, .vertices = room, .vertex_max = ROOM, .triangles = room,    \
+    .width = WIDTH, .height = HEIGHT, .band_height = BAND, .vertices = room, .vertex_max = ROOM, .triangles = list,    \
     .triangle_max = ROOM, .bins = bins, .bin_max = HEIGHT / BAND, .depth = depth
 
 /* Shows frames, for ever. */
