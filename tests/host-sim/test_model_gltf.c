@@ -498,6 +498,22 @@ static void a_glb_that_is_cut_off_is_told_by_its_length(void **state)
     assert_file_refused(file_path("cut.glb"), "a GLB of version 1, not 2");
 }
 
+/* Two roots of two triangles in all, and one below the second root; a scene that is named must be there. */
+static void a_file_without_scenes_shows_its_roots(void **state)
+{
+    (void)state;
+#define WITHOUT(scene)                                                                                                 \
+    "{\"asset\":{\"version\":\"2.0\"}," scene                                                                          \
+    "\"nodes\":[{\"mesh\":0},{\"translation\":[0,0,5],\"mesh\":0},{\"children\":[1]}]," MESH                           \
+    "\"materials\":[{}]," ACCESSORS BUFFER
+    write_triangle();
+    struct model *model = open_good(file_text("none.gltf", WITHOUT("")));
+    assert_int_equal(model->triangle_count, 2);
+    model_close(model);
+    assert_refused(WITHOUT("\"scene\":0,"), "its scene is not there");
+    assert_refused(WITHOUT("\"scenes\":[{}],\"scene\":1,"), "its scene is not there");
+}
+
 /* 30 nodes that name the next one twice would be a model of 2^30 parts. */
 static void a_node_with_two_parents_is_refused(void **state)
 {
@@ -530,6 +546,7 @@ int main(void)
         cmocka_unit_test(sparse_values_replace_zeros),
         cmocka_unit_test(what_cannot_be_read_is_refused_in_one_line),
         cmocka_unit_test(a_glb_that_is_cut_off_is_told_by_its_length),
+        cmocka_unit_test(a_file_without_scenes_shows_its_roots),
         cmocka_unit_test(a_node_with_two_parents_is_refused),
     };
     return cmocka_run_group_tests(tests, files_begin, files_end);

@@ -313,6 +313,28 @@ static bool read_node(struct reader *reader, uint32_t i, uint32_t parent, unsign
     return true;
 }
 
+static bool read_children(struct reader *reader, const struct gltf_json *list, uint32_t parent, uint32_t *first,
+                          unsigned depth);
+
+/* Reads a node and what is below it; *link takes its number, and then is where its next brother's goes. */
+static bool read_tree(struct reader *reader, uint32_t i, uint32_t parent, uint32_t **link, unsigned depth)
+{
+    if (!read_node(reader, i, parent, depth)) {
+        return false;
+    }
+    **link = i;
+    *link = &reader->scene->nodes[i].next;
+    const struct gltf_json *below = gltf_json_get(gltf_file_item(reader->file, GLTF_NODES, i), "children");
+    return read_children(reader, below, i, &reader->scene->nodes[i].child, depth + 1);
+}
+
+/* The number of the node that an item of a list names; GLTF_NONE: none. */
+static uint32_t node_number(const struct gltf_json *item)
+{
+    const double number = gltf_json_is(item, GLTF_JSON_NUMBER) ? item->number : -1;
+    return number >= 0 && number < GLTF_NONE ? (uint32_t)number : GLTF_NONE;
+}
+
 /* Reads the children of a node: recursive, at most DEPTH_MAX deep. *first is the first node of the list, behind which
  * its brothers hang. */
 static bool read_children(struct reader *reader, const struct gltf_json *list, uint32_t parent, uint32_t *first,
@@ -321,19 +343,38 @@ static bool read_children(struct reader *reader, const struct gltf_json *list, u
     const struct gltf_json *item = gltf_json_is(list, GLTF_JSON_ARRAY) ? list->child : NULL;
     *first = MODEL_NONE;
     for (; item != NULL; item = item->next) {
-        const double number = gltf_json_is(item, GLTF_JSON_NUMBER) ? item->number : -1;
-        const uint32_t i = number >= 0 && number < GLTF_NONE ? (uint32_t)number : GLTF_NONE;
-        if (!read_node(reader, i, parent, depth)) {
+        if (!read_tree(reader, node_number(item), parent, &first, depth)) {
             return false;
         }
-        *first = i;
-        const struct gltf_json *below = gltf_json_get(gltf_file_item(reader->file, GLTF_NODES, i), "children");
-        if (!read_children(reader, below, i, &reader->scene->nodes[i].child, depth + 1)) {
-            return false;
-        }
-        first = &reader->scene->nodes[i].next;
     }
     return true;
+}
+
+/* Reads all nodes that are nobody's child: what a file without scenes shows. */
+static bool read_roots(struct reader *reader)
+{
+    struct gltf_file *file = reader->file;
+    const uint32_t count = file->lists[GLTF_NODES].count;
+    uint32_t *link = &reader->scene->first_node;
+    bool *const is_child = calloc(count + (size_t)1, sizeof *is_child);
+    if (is_child == NULL) {
+        return gltf_file_failed(file, "it needs too much memory");
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const struct gltf_json *below = gltf_json_get(gltf_file_item(file, GLTF_NODES, i), "children");
+        const struct gltf_json *item = gltf_json_is(below, GLTF_JSON_ARRAY) ? below->child : NULL;
+        for (; item != NULL; item = item->next) {
+            const uint32_t child = node_number(item);
+            is_child[child < count ? child : count] = true;
+        }
+    }
+    bool is_read = true;
+    *link = MODEL_NONE;
+    for (uint32_t i = 0; is_read && i < count; i++) {
+        is_read = is_child[i] || read_tree(reader, i, MODEL_NONE, &link, 0);
+    }
+    free(is_child);
+    return is_read;
 }
 
 /* ---- the scene --------------------------------------------------------------------------------------------------- */
@@ -374,10 +415,12 @@ static bool read_scene(struct reader *reader)
     struct gltf_file *file = reader->file;
     struct model_scene *scene = reader->scene;
     const struct gltf_json *from = gltf_file_item(file, GLTF_SCENES, gltf_file_whole(file->json, "scene", 0));
-    if (from == NULL) {
-        return gltf_file_failed(file, "it has no scene to show");
+    const bool names_none = gltf_json_get(file->json, "scene") == NULL && file->lists[GLTF_SCENES].count == 0;
+    if (from == NULL && !names_none) {
+        return gltf_file_failed(file, "its scene is not there");
     }
-    if (!read_children(reader, gltf_json_get(from, "nodes"), MODEL_NONE, &scene->first_node, 0)) {
+    if (!(names_none ? read_roots(reader)
+                     : read_children(reader, gltf_json_get(from, "nodes"), MODEL_NONE, &scene->first_node, 0))) {
         return false;
     }
     if (file->lists[GLTF_CAMERAS].count > 0) {
