@@ -13,8 +13,8 @@ BUDGET_CORE_BYTES ?= 112640
 # Returns the characters of $(1) that make or the shell would misread, or its second word; nothing if the name is safe.
 OPEN := (
 CLOSE := )
-odd = $(strip $(word 2,$(1))$(foreach c,' " ` ; & < > | * ? [ ] { } : % ! \ $(OPEN) $(CLOSE),$(findstring $(c),$(1))))
-$(if $(call odd,$(B)),$(error B='$(B)': make takes no folder with spaces or other special characters in its name))
+misread = $(strip $(word 2,$(1))$(foreach c,' " ` ; & < > | * ? [ ] { } : % ! \ $(OPEN) $(CLOSE),$(findstring $(c),$(1))))
+$(if $(call misread,$(B)),$(error B='$(B)': make takes no folder with spaces or other special characters in its name))
 
 Q = $(if $(filter 1,$(V)),,@)
 SAY = $(if $(filter 1,$(V))$(findstring s,$(firstword -$(MAKEFLAGS))),@:,@printf '  %-7s %s\n')
@@ -74,8 +74,8 @@ BOARDS := $(wildcard boards/*.c boards/*/*.c)
 # Boards from elsewhere: BOARD_DIR/NAME/board.c defines board_NAME (with _ for -), as a folder of boards/ does.
 BOARDS_MORE := $(if $(BOARD_DIR),$(patsubst $(BOARD_DIR)/%/board.c,%,$(wildcard $(BOARD_DIR)/*/board.c)))
 $(if $(BOARD_DIR),$(if $(BOARDS_MORE),,$(error BOARD_DIR=$(BOARD_DIR): there is no NAME/board.c in it)))
-BOARDS_ODD := $(if $(BOARDS_MORE),$(shell printf '%s\n' '$(BOARDS_MORE)' | tr ' ' '\n' | grep -v '^[a-z0-9-]*$$'))
-$(if $(BOARDS_ODD),$(error BOARD_DIR=$(BOARD_DIR): $(BOARDS_ODD): a board's name has a-z, 0-9 and - only))
+BOARDS_REFUSED := $(if $(BOARDS_MORE),$(shell printf '%s\n' '$(BOARDS_MORE)' | tr ' ' '\n' | grep -v '^[a-z0-9-]*$$'))
+$(if $(BOARDS_REFUSED),$(error BOARD_DIR=$(BOARD_DIR): $(BOARDS_REFUSED): a board's name has a-z, 0-9 and - only))
 $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DIR=$(BOARD_DIR): $(b) is a board of Pinhole: take another name)))
 # host-sim has one room a program, and common/ and controllers/ for all; a program's main() is in its pinhole_*.c.
 MAINS := $(wildcard host-sim/*/pinhole_*.c)

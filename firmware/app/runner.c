@@ -254,10 +254,10 @@ static void draw_overlay(const struct runner *runner, uint32_t band, uint16_t *p
     const uint32_t us =
         panel_frame_us(board->panel, board->format, runner->config.rotation, (uint32_t)runner->driver.clock_hz);
     ph_overlay_stats(text, us, runner->renderer.stats.triangles_drawn);
-    struct ph_overlay_band over = {.width = width,
-                                   .y0 =
-                                       (int32_t)(band * (runner->renderer.config.band_height >> runner->renderer.fine)),
-                                   .lines = (int32_t)lines};
+    struct ph_overlay_band over = {
+        .width = width,
+        .y0 = (int32_t)(band * (runner->renderer.config.band_height >> runner->renderer.samples_log2)),
+        .lines = (int32_t)lines};
     over.pixels = pixels;
     const uint8_t scale = ph_overlay_width(text, 2) + 8 <= width ? 2 : 1;
     const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(0, 0, 0), scale};

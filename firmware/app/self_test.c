@@ -190,7 +190,8 @@ static int measure_bus(self_test_put *put, struct runner *runner)
     const struct hal *hal = &runner->hal;
     const struct board *board = runner->config.board;
     const struct panel_sender *sender = &runner->config.sender;
-    const uint32_t height = runner->driver.height, lines = runner->renderer.config.band_height >> runner->renderer.fine,
+    const uint32_t height = runner->driver.height,
+                   lines = runner->renderer.config.band_height >> runner->renderer.samples_log2,
                    from = hal->ops->time_us(hal->context);
     if (!board->pins.dc.wired) { /* a display of the kernel, which has no bus of ours */
         return HAL_OK;

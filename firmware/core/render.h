@@ -358,8 +358,8 @@ struct ph_renderer {
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
     uint16_t background;
-    uint8_t fine;  /* 1 with samples, else 0: log2 of samples a pixel each way */
-    bool is_shown; /* config.shown holds what the display shows */
+    uint8_t samples_log2; /* 1 with samples, else 0: log2 of samples a pixel each way */
+    bool is_shown;        /* config.shown holds what the display shows */
     void (*after)(struct ph_renderer *r, const struct ph_band *band); /* draws what comes after the opaque; or NULL */
     uint32_t rows_place, rows; /* rows of pixels that blended triangles are drawn into */
     void (*fog)(void *share);  /* fogs the rows of a struct ph_share; or NULL */

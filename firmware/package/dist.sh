@@ -81,7 +81,7 @@ arduino() {
     cp "$core"/{fx,geom,render,effects}/*.[ch] "$core"/*.h "$core"/kernels/*.inc "$src"
     for name in "$core"/kernels/*.h; do flat "$name" >"$src/${name##*/}"; done
     for name in $(find "$core"/kernels/{portable,armv6m,armv7m,rv32} -type f -printf '%f\n' | sort -u); do
-        if [ "$(find "$core"/kernels/{portable,armv6m,armv7m,rv32} -name "$name" | wc -l)" = 1 ] && [[ $name == *.inc || $name == *_plain.h ]]; then
+        if [ "$(find "$core"/kernels/{portable,armv6m,armv7m,rv32} -name "$name" | wc -l)" = 1 ] && [[ $name == *.inc || $name == *_portable.h ]]; then
             flat "$core"/kernels/*/"$name" >"$src/$name" # what the texts of one folder share
         else
             choose "$name" "$src" >"$work/text" && mv "$work/text" "$src/$name"

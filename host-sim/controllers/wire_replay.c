@@ -40,14 +40,14 @@ struct wire {
     int status; /* of config.frame */
 };
 
-static void resent(struct wire *w, const char *complaint)
+static void reject(struct wire *w, const char *complaint)
 {
     if (w->complaints++ < COMPLAINTS_TOLD) {
-        w->config.resent(w->config.context, complaint);
+        w->config.reject(w->config.context, complaint);
     }
 }
 
-__attribute__((format(printf, 2, 3))) static void resent_at(struct wire *w, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void reject_at(struct wire *w, const char *format, ...)
 {
     char text[160];
     const int n = snprintf(text, sizeof text, "%llu.%03llu ms: ", (unsigned long long)(w->last_ns / 1000000),
@@ -56,7 +56,7 @@ __attribute__((format(printf, 2, 3))) static void resent_at(struct wire *w, cons
     va_start(arguments, format);
     vsnprintf(text + n, sizeof text - (size_t)n, format, arguments);
     va_end(arguments);
-    resent(w, text);
+    reject(w, text);
 }
 
 /* Passes on the new complaints of the model. */
@@ -64,7 +64,7 @@ static void pass_complaints_on(struct wire *w)
 {
     for (; w->model_complaints < sim_complaint_count(w->sim); w->model_complaints++) {
         const char *text = sim_complaint(w->sim, w->model_complaints);
-        resent(w, text != NULL ? text : "more");
+        reject(w, text != NULL ? text : "more");
     }
 }
 
@@ -127,7 +127,7 @@ static void look(struct wire *w)
         step(w, lit ? "backlight on" : "backlight off");
         w->was_lit = lit;
         if (lit && !on) {
-            resent_at(w, "backlight on while the display is off");
+            reject_at(w, "backlight on while the display is off");
         }
     }
     if (w->pending && is_seen(w->sim)) {
@@ -153,7 +153,7 @@ static void first_byte(struct wire *w)
     w->was_byte = true;
     step(w, "init");
     if (w->bit[RESET] >= 0 && !w->was_reset) {
-        resent_at(w, "the first byte comes without a reset before it");
+        reject_at(w, "the first byte comes without a reset before it");
     }
 }
 
@@ -228,7 +228,7 @@ static void resolve_role(struct wire *w, enum role role, const char *name, const
     bit = bit >= 0 ? bit : numbered(w, pin);
     w->bit[role] = bit;
     if (bit < 0 && role != SELECT) {
-        resent_at(w, "the stream has no line for %s (%s)", name, pin->line != NULL ? pin->line : "see its names");
+        reject_at(w, "the stream has no line for %s (%s)", name, pin->line != NULL ? pin->line : "see its names");
     }
 }
 
@@ -278,7 +278,7 @@ static void set_levels(struct wire *w, uint64_t levels)
 static void time_passes(struct wire *w, uint64_t until_ns)
 {
     if (until_ns < w->last_ns) {
-        resent_at(w, "time goes back");
+        reject_at(w, "time goes back");
         return;
     }
     const uint64_t gap = until_ns - w->last_ns;
@@ -296,19 +296,19 @@ static void check_transfer(struct wire *w, const struct wire_event *event)
     static const char *const roles[ROLES] = {"D/C", "reset", "backlight", "chip select"};
     for (enum role role = DC; role < ROLES; role++) {
         if (role != BACKLIGHT && w->bit[role] >= 0 && (changed >> w->bit[role] & 1) != 0) {
-            resent_at(w, "%s moved during a transfer of %zu bytes", roles[role], event->count);
+            reject_at(w, "%s moved during a transfer of %zu bytes", roles[role], event->count);
         }
     }
     const bool cpha = event->mode & WIRE_CPHA, cpol = event->mode & WIRE_CPOL;
     if (cpha != cpol || (event->mode & ~(uint32_t)(WIRE_CPHA | WIRE_CPOL | WIRE_NO_CS)) != 0) {
-        resent_at(w, "SPI mode %Xh: panels want 0 or 3, highest bit first", (unsigned)event->mode);
+        reject_at(w, "SPI mode %Xh: panels want 0 or 3, highest bit first", (unsigned)event->mode);
     }
     if (event->word_bits != 8) {
-        resent_at(w, "%u bits a word instead of 8", (unsigned)event->word_bits);
+        reject_at(w, "%u bits a word instead of 8", (unsigned)event->word_bits);
     }
     const bool driven = event->select != WIRE_NO_SELECT && w->config.board->pins.select.wired;
     if (driven && (event->mode & WIRE_NO_CS) != 0) {
-        resent_at(w, "the panel is not selected (mode %Xh)", (unsigned)event->mode);
+        reject_at(w, "the panel is not selected (mode %Xh)", (unsigned)event->mode);
     }
 }
 
@@ -359,7 +359,7 @@ int wire_replay_event(struct wire *w, const struct wire_event *event)
         transfer(w, event);
         break;
     case WIRE_LOST:
-        resent_at(w, "%u events were lost", (unsigned)event->number);
+        reject_at(w, "%u events were lost", (unsigned)event->number);
         break;
     case WIRE_NOTE:
         if (w->config.notes && strcmp(event->text, "frame") == 0) {

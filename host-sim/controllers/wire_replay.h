@@ -40,7 +40,7 @@ struct wire_config {
     int (*frame)(void *context, uint32_t frame,
                  const uint8_t *rgb); /* 0, or what wire_replay_event and wire_replay_end return */
     void (*step)(void *context, uint64_t time_ns, const char *what);
-    void (*resent)(void *context, const char *complaint);
+    void (*reject)(void *context, const char *complaint);
 };
 
 struct wire;
@@ -54,7 +54,7 @@ int wire_replay_event(struct wire *w, const struct wire_event *event);
 /* The stream is over. 0, or what config->frame returned. */
 int wire_replay_end(struct wire *w);
 
-/* Returns how many complaints there were (config.resent was called for the first of them only). */
+/* Returns how many complaints there were (config.reject was called for the first of them only). */
 uint32_t wire_replay_complaints(const struct wire *w);
 
 /* How many frames were reported. */

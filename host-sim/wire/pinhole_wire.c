@@ -252,7 +252,7 @@ static int run(struct request *r)
 int main(int argc, char *argv[])
 {
     struct request request = {
-        .in = NULL, .wire = {.frame = show_frame, .step = show_step, .resent = show_complaint, .context = &request}};
+        .in = NULL, .wire = {.frame = show_frame, .step = show_step, .reject = show_complaint, .context = &request}};
     complain_begin("pinhole-wire", argc, argv);
     int status = read_arguments(&request, argc, argv);
     if (status == 0 && request.help) {

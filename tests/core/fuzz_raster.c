@@ -156,12 +156,12 @@ struct memory {
 };
 
 /* The depth buffer, the samples and the pixels of a band, which are returned. */
-static uint16_t *fence_pixels(struct ph_config *config, bool is_fine, struct memory *memory)
+static uint16_t *fence_pixels(struct ph_config *config, bool has_samples, struct memory *memory)
 {
-    const size_t area = (size_t)config->width * config->band_height, samples = is_fine ? 4 * area : area;
+    const size_t area = (size_t)config->width * config->band_height, samples = has_samples ? 4 * area : area;
     config->depth = fence(&memory->depth, samples * ph_depth_bytes(config->depth_format));
-    uint16_t *const all = fence(&memory->samples, is_fine ? 2 * samples : 0);
-    config->samples = is_fine ? all : NULL;
+    uint16_t *const all = fence(&memory->samples, has_samples ? 2 * samples : 0);
+    config->samples = has_samples ? all : NULL;
     return fence(&memory->pixels, area * 2);
 }
 
@@ -182,7 +182,7 @@ static struct ph_config any_config(struct memory *memory)
     config.width = (uint16_t)(kind < 12 ? sizes[of][0] : 1 + below(96));
     config.height = (uint16_t)(kind < 12 ? sizes[of][1] : 1 + below(96));
     config.band_height = (uint16_t)(below(3) ? 1 + below(config.height) : config.height);
-    const bool is_fine = config.width <= 512 && config.height <= 512 && below(8) == 0;
+    const bool has_samples = config.width <= 512 && config.height <= 512 && below(8) == 0;
     config.vertex_max = below(8) ? VERTICES : 1 + below(VERTICES);
     config.triangle_max = below(4) ? 8 * TRIANGLES : 1 + below(TRIANGLES);
     const bool one_memory = below(4) == 0; /* with room for two cores to list triangles one by one */
@@ -192,7 +192,7 @@ static struct ph_config any_config(struct memory *memory)
     config.triangles = fence(&memory->triangles, one_memory ? 0 : config.triangle_max * ph_triangle_bytes);
     config.triangles = one_memory ? config.vertices : config.triangles;
     config.bins = fence(&memory->bins, config.bin_max * sizeof(*config.bins));
-    memory->band = fence_pixels(&config, is_fine, memory);
+    memory->band = fence_pixels(&config, has_samples, memory);
     return config;
 }
 
@@ -525,9 +525,10 @@ static uint32_t draw_bands(struct ph_renderer *r, const struct ph_config *config
 {
     uint32_t rows = 0, bands = ph_frame_bands(r), hash[2] = {2166136261u, 2166136261u};
     for (uint32_t band = 0; band < bands; band++) {
-        const size_t fine = config->samples != NULL ? 4 : 1;
-        if (fine > 1) { /* an empty band leaves the depth of its samples as it was */
-            memset(config->depth, 0, fine * config->width * config->band_height * ph_depth_bytes(config->depth_format));
+        const size_t samples_a_pixel = config->samples != NULL ? 4 : 1;
+        if (samples_a_pixel > 1) { /* an empty band leaves the depth of its samples as it was */
+            memset(config->depth, 0,
+                   samples_a_pixel * config->width * config->band_height * ph_depth_bytes(config->depth_format));
         }
         uint32_t lines = ph_draw_band(r, band, pixels);
         size_t bytes = (size_t)lines * config->width * 2;
@@ -535,7 +536,8 @@ static uint32_t draw_bands(struct ph_renderer *r, const struct ph_config *config
             fail("a band has a wrong number of lines");
         }
         hash[0] = hash_bytes(hash[0], pixels, bytes);
-        hash[1] = hash_bytes(hash[1], config->depth, fine * bytes / 2 * ph_depth_bytes(config->depth_format));
+        hash[1] =
+            hash_bytes(hash[1], config->depth, samples_a_pixel * bytes / 2 * ph_depth_bytes(config->depth_format));
         rows += lines;
     }
     if (rows != config->height) {

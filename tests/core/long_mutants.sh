@@ -36,7 +36,7 @@ codes of near ranges left unused         | render/frame.c   | s/is_fixed ? stret
 float24 as coarse as float16             | render/span.h    | s/d >> 8;/d >> 16 << 8;/                             | test_depth
 the last of equal 24-bit depths wins     | render/span.h    | s/code <= \*depth/code < *depth/                     | test_raster
 the last of equal depths wins            | render/span.h    | s/code > \*depth/code >= *depth/                     | test_raster
-the last of equal texels wins            | kernels/portable/texel_row_plain.h | s/ph_nearer16(depth, d)/(ph_nearer16(depth, d) + (*depth == d >> 16))/ | test_texture
+the last of equal texels wins            | kernels/portable/texel_row_portable.h | s/ph_nearer16(depth, d)/(ph_nearer16(depth, d) + (*depth == d >> 16))/ | test_texture
 the last of equal lit texels wins        | render/span.h    | /ph_nearer16/,/^}/ s/code <= /code < /               | test_texture
 triangles not carried to the next band   | render/bands.c   | s/(t->y_bottom <= y1)/(t->y_bottom <= y1 + 1)/       | test_raster
 a carried triangle begins where it did   | render/raster.c  | s/t->y_top = (int16_t)y1;//                          | test_cores

@@ -227,14 +227,14 @@ static void lines_keep_their_width(void **state)
         const struct fx_vec3 a = {ref_q16(ref_uniform(2, W - 2)), ref_q16(-ref_uniform(2, H - 2)), -FX_INT(4)};
         const struct fx_vec3 b = {ref_q16(ref_uniform(2, W - 2)), ref_q16(-ref_uniform(2, H - 2)), -FX_INT(4)};
         int partial = 0;
-        for (int fine = 0; fine < 2; fine++) {
-            open_stage(&s[fine], 7, fine != 0);
-            begin(&s[fine], NULL);
-            ph_draw_line(&s[fine].r, a, b, &white);
-            finish(&s[fine]);
+        for (int antialiased = 0; antialiased < 2; antialiased++) {
+            open_stage(&s[antialiased], 7, antialiased != 0);
+            begin(&s[antialiased], NULL);
+            ph_draw_line(&s[antialiased].r, a, b, &white);
+            finish(&s[antialiased]);
             for (int k = 0; k < W * H; k++) {
-                const double got = share(&s[fine], k % W, k / W);
-                sums[fine] += got;
+                const double got = share(&s[antialiased], k % W, k / W);
+                sums[antialiased] += got;
                 partial += got > 0 && got < 1;
             }
         }

@@ -629,15 +629,15 @@ static void compare_alone(const struct rig *rig, const struct ph_triangle *t, co
 {
     static uint16_t pixels[WIDTH * HEIGHT], depth16[WIDTH * HEIGHT];
     static uint32_t depth24[WIDTH * HEIGHT];
-    const bool is_wide = ph_depth_bytes(rig->r.stats.depth_format) == 4;
-    const struct ph_band band = {pixels, is_wide ? (void *)depth24 : depth16, is_wide, WIDTH, 0, HEIGHT, WIDTH, NULL};
+    const bool is_24 = ph_depth_bytes(rig->r.stats.depth_format) == 4;
+    const struct ph_band band = {pixels, is_24 ? (void *)depth24 : depth16, is_24, WIDTH, 0, HEIGHT, WIDTH, NULL};
     memset(depth16, 0, sizeof depth16);
     memset(depth24, 0, sizeof depth24);
     found->pixels += ph_draw_triangle(t, &band);
     found->triangles++;
     found->across += t->block != PH_BLOCK_NONE || t->kind == PH_KIND_SMALL_KNEE;
     for (int at = ph_max(t->y_top, 0) * WIDTH; at < ph_min(t->y_bottom, HEIGHT) * WIDTH; at++) {
-        const uint32_t code = is_wide ? depth24[at] : depth16[at];
+        const uint32_t code = is_24 ? depth24[at] : depth16[at];
         bool outside;
         const double over_w = code != 0 ? plane_at(plane, at % WIDTH, at / WIDTH, &outside) : 0;
         if (code != 0 && !outside) {
@@ -899,16 +899,15 @@ static void draw_spheres(struct rig *rig, const struct sphere *s, const struct s
     assert_int_equal(rig->r.stats.triangles_dropped, 0);
 }
 
-/* is_fine: antialiased. */
-static void draw_twice(const struct sphere *s, enum ph_depth_format format, bool is_fine)
+static void draw_twice(const struct sphere *s, enum ph_depth_format format, bool antialiased)
 {
     static uint16_t alone[WIDTH * HEIGHT], samples[4 * WIDTH * 16];
-    static uint32_t fine_depth[4 * WIDTH * 16];
+    static uint32_t samples_depth[4 * WIDTH * 16];
     struct rig rig;
     rig_open(&rig, WIDTH, HEIGHT, 16, format, CORNERS, 4 * FACES);
     struct ph_config config = rig.r.config;
-    config.samples = is_fine ? samples : NULL;
-    config.depth = is_fine ? fine_depth : config.depth;
+    config.samples = antialiased ? samples : NULL;
+    config.depth = antialiased ? samples_depth : config.depth;
     assert_int_equal(ph_renderer_init(&rig.r, &config), PH_OK);
     draw_spheres(&rig, s, NULL);
     memcpy(alone, rig.pixels, sizeof alone);

@@ -60,18 +60,18 @@ static void draw_line(struct rig *rig, const struct line *l)
 static int takes(const struct line *l, int x, int y)
 {
     const int64_t dx = l->x1 - l->x0, dy = l->y1 - l->y0;
-    const int wide = llabs(dx) >= llabs(dy);
-    const int64_t centre = 256 * (wide ? x : y) + 128, from = wide ? l->x0 : l->y0, length = wide ? dx : dy;
+    const int x_major = llabs(dx) >= llabs(dy);
+    const int64_t centre = 256 * (x_major ? x : y) + 128, from = x_major ? l->x0 : l->y0, length = x_major ? dx : dy;
     const int64_t low = length > 0 ? from : from + length, high = length > 0 ? from + length : from;
     if (centre < low || centre >= high) {
         return 0;
     }
     /* the place across times the length, against the borders of the pixel */
     const int64_t sign = length > 0 ? 1 : -1;
-    const int64_t at = sign * ((wide ? l->y0 : l->x0) * length + (centre - from) * (wide ? dy : dx));
-    const int64_t first = 256 * (wide ? y : x) * sign * length, last = first + 256 * sign * length;
+    const int64_t at = sign * ((x_major ? l->y0 : l->x0) * length + (centre - from) * (x_major ? dy : dx));
+    const int64_t first = 256 * (x_major ? y : x) * sign * length, last = first + 256 * sign * length;
     const int64_t unsure = sign * length / 3; /* 128 steps, each 2^-17 px off, in 1/256 px */
-    if ((wide ? dy : dx) != 0 && (llabs(at - first) < unsure || llabs(at - last) < unsure)) {
+    if ((x_major ? dy : dx) != 0 && (llabs(at - first) < unsure || llabs(at - last) < unsure)) {
         return -1;
     }
     return at > first && at <= last;
@@ -101,7 +101,7 @@ static void pixels_are_those_of_the_rule(void **state)
     rig_close(&rig);
 }
 
-/* No column of a wide line or row of a high one has two pixels or, inside the picture, none. */
+/* No column of an x-major line or row of a high one has two pixels or, inside the picture, none. */
 static void a_line_has_one_pixel_a_column(void **state)
 {
     struct rig rig;
@@ -110,13 +110,13 @@ static void a_line_has_one_pixel_a_column(void **state)
     rig_open(&rig, WIDE, HIGH, HIGH, PH_DEPTH_FIXED16, 8, 8);
     for (int i = 0; i < LINES / 4; i++) {
         const struct line l = {whole(0, 256 * WIDE), whole(0, 256 * HIGH), whole(0, 256 * WIDE), whole(0, 256 * HIGH)};
-        const int wide = llabs(l.x1 - l.x0) >= llabs(l.y1 - l.y0);
-        const int64_t a = wide ? l.x0 : l.y0, b = wide ? l.x1 : l.y1, low = a < b ? a : b, high = a < b ? b : a;
+        const int x_major = llabs(l.x1 - l.x0) >= llabs(l.y1 - l.y0);
+        const int64_t a = x_major ? l.x0 : l.y0, b = x_major ? l.x1 : l.y1, low = a < b ? a : b, high = a < b ? b : a;
         draw_line(&rig, &l);
-        for (int along = 0; along < (wide ? WIDE : HIGH); along++) {
+        for (int along = 0; along < (x_major ? WIDE : HIGH); along++) {
             int here = 0;
-            for (int across = 0; across < (wide ? HIGH : WIDE); across++) {
-                here += rig.pixels[wide ? across * WIDE + along : along * WIDE + across] != 0;
+            for (int across = 0; across < (x_major ? HIGH : WIDE); across++) {
+                here += rig.pixels[x_major ? across * WIDE + along : along * WIDE + across] != 0;
             }
             assert_int_equal(here, 256 * along + 128 >= low && 256 * along + 128 < high);
         }
@@ -188,11 +188,11 @@ static void any_strip(struct strip *s, int i)
         at[k][0] = ref_uniform(-58, 58) / FOCAL;
         at[k][1] = ref_uniform(-30, 30) / FOCAL;
     }
-    const int wide = (at[1][0] - at[0][0]) * (at[1][0] - at[0][0]) >= (at[1][1] - at[0][1]) * (at[1][1] - at[0][1]);
+    const int x_major = (at[1][0] - at[0][0]) * (at[1][0] - at[0][0]) >= (at[1][1] - at[0][1]) * (at[1][1] - at[0][1]);
     for (int k = 0; k < 6; k++) {
         const double side = k > 3 ? 0 : k % 2 == 0 ? 3 / FOCAL : -3 / FOCAL, *const p = at[k > 3 ? k - 4 : k / 2];
-        const struct fx_vec3 v = {ref_q16((p[0] + (wide ? 0 : side)) * p[2]),
-                                  ref_q16((p[1] + (wide ? side : 0)) * p[2]), ref_q16(-p[2])};
+        const struct fx_vec3 v = {ref_q16((p[0] + (x_major ? 0 : side)) * p[2]),
+                                  ref_q16((p[1] + (x_major ? side : 0)) * p[2]), ref_q16(-p[2])};
         *(k > 3 ? k == 4 ? &s->a : &s->b : &s->positions[k]) = v;
     }
     s->part = (struct ph_part){0, 2, 0};

@@ -10,7 +10,7 @@
 #include "portable/matvec.h"
 
 #undef PH_MATVEC_H
-#undef PH_MATVEC_REACH
+#undef PH_MATVEC_RANGE
 #define ph_row             armv6m_row
 #define ph_is_within       armv6m_is_within
 #define ph_matvec          armv6m_matvec
@@ -89,7 +89,7 @@ static void every_cpu_gives_the_exact_sums(void **state)
             const struct fx_vec3 b = armv6m_matvec_near(&digits, &p);
             assert_true(b.x == exact.x && b.y == exact.y && b.z == exact.z);
             near++;
-            very_near += armv6m_is_within(&p, digits.short_reach);
+            very_near += armv6m_is_within(&p, digits.short_range);
         }
     }
     /* Each way was taken often, and so were points that are too far away for it. */

@@ -36,7 +36,7 @@ static void wide_products_are_exact_for_every_side(void **state)
     (void)state;
     const int64_t two31 = (int64_t)1 << 31;
     const int64_t ends[] = {-2 * two31 + 1, -two31 - 1, -two31, -1, 0, two31 - 1, two31, 2 * two31 - 1};
-    for (int32_t n = -2 * (PH_REACH + 128); n <= 2 * (PH_REACH + 128); n++) {
+    for (int32_t n = -2 * (PH_GUARD_MAX + 128); n <= 2 * (PH_GUARD_MAX + 128); n++) {
         for (unsigned int i = 0; i < sizeof(ends) / sizeof(*ends); i++) {
             if (times_wide(ends[i], n) != ends[i] * n) {
                 fail_msg("%lld times %d", (long long)ends[i], (int)n);

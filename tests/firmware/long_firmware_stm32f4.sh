@@ -45,7 +45,7 @@ stack_stays_below_its_bound() {
 pictures_are_written() { cmp "$dir/out/frame-0001.ppm" <("$B/pinhole-sim" --board "$board" --start 1 --out -); }
 
 # An image whose kit sends a command that no ILI9341 has.
-what_the_panel_resents_is_a_failure() {
+what_the_panel_rejects_is_a_failure() {
     cat >"$dir/wrong.c" <<EOT
 #include "board.h"
 #include "port.h"
@@ -73,5 +73,5 @@ check "every_demo_shows_the_simulators_frames" every_demo_is_the_simulators
 check "all_demos_were_seen" many_demos_were_seen
 check "the_stack_used_stays_below_the_computed_bound" stack_stays_below_its_bound
 check "pictures_are_the_simulators" pictures_are_written
-check "a_command_that_the_panel_does_not_know_is_told_at_once" what_the_panel_resents_is_a_failure
+check "a_command_that_the_panel_does_not_know_is_told_at_once" what_the_panel_rejects_is_a_failure
 tap_end

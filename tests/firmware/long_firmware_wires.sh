@@ -141,5 +141,5 @@ for board in lm3s6965evb feather-stm32f405; do
 done
 check "the_clock_of_lm3s6965evb_is_the_simulators" clock_is_the_simulators
 check "the_boot_loader_of_the_STM32_is_entered_right_after_a_reset" boot_loader_on_request
-check "stores_without_waits_would_be_resented" waits_are_seen
+check "stores_without_waits_would_be_rejected" waits_are_seen
 tap_end

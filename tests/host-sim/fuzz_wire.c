@@ -131,7 +131,7 @@ static struct wire *open_wire(void)
                                                   .last = fuzz_below(3) == 0,
                                                   .frame = take_frame,
                                                   .step = take_step,
-                                                  .resent = take_complaint});
+                                                  .reject = take_complaint});
 }
 
 static bool one(void)

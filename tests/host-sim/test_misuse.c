@@ -61,7 +61,7 @@ static void wrong_numbers_of_parameters_are_seen(void **state)
     sim_close(oled.sim);
 }
 
-static void pixels_in_sleep_are_resented(void **state)
+static void pixels_in_sleep_are_rejected(void **state)
 {
     (void)state;
     struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
@@ -389,7 +389,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unknown_commands_are_named),
         cmocka_unit_test(wrong_numbers_of_parameters_are_seen),
-        cmocka_unit_test(pixels_in_sleep_are_resented),
+        cmocka_unit_test(pixels_in_sleep_are_rejected),
         cmocka_unit_test(data_without_a_command_is_seen),
         cmocka_unit_test(short_reset_and_early_bytes_are_seen),
         cmocka_unit_test(a_byte_in_or_right_after_reset_is_seen),

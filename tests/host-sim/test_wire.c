@@ -229,7 +229,7 @@ static void replay(struct heard *h, struct recorder *r)
 {
     h->config.frame = hear_frame;
     h->config.step = hear_step;
-    h->config.resent = hear_complaint;
+    h->config.reject = hear_complaint;
     h->config.context = h;
     struct wire *w = wire_replay_open(&h->config);
     assert_non_null(w);
@@ -342,7 +342,7 @@ static void transfers_to_another_chip_select_are_not_ours(void **state)
     assert_int_equal(h.frames, 0);
 }
 
-static void each_way_to_break_the_stream_is_resented(void **state)
+static void each_way_to_break_the_stream_is_rejected(void **state)
 {
     (void)state;
     struct recorder moves_dc = normal(), hurries = normal(), early_light = normal(), mode = normal(), bits = normal(),
@@ -419,13 +419,13 @@ static void lines_are_read_strictly(void **state)
     }
 }
 
-static void lost_events_and_time_going_back_are_resented(void **state)
+static void lost_events_and_time_going_back_are_rejected(void **state)
 {
     (void)state;
     static const char *const lines[] = {"5 lost 3", "4 level 0"};
     const struct board board = wired(board_find("rpi-waveshare-1in3"));
     struct heard h = listener(&board, PANEL_R0);
-    h.config.resent = hear_complaint;
+    h.config.reject = hear_complaint;
     h.config.context = &h;
     h.config.order = false;
     struct wire *w = wire_replay_open(&h.config);
@@ -450,9 +450,9 @@ int main(void)
         cmocka_unit_test(last_is_what_was_seen_before_the_panel_went_dark),
         cmocka_unit_test(a_rest_of_the_wires_ends_a_frame_when_asked),
         cmocka_unit_test(transfers_to_another_chip_select_are_not_ours),
-        cmocka_unit_test(each_way_to_break_the_stream_is_resented),
+        cmocka_unit_test(each_way_to_break_the_stream_is_rejected),
         cmocka_unit_test(lines_are_read_strictly),
-        cmocka_unit_test(lost_events_and_time_going_back_are_resented),
+        cmocka_unit_test(lost_events_and_time_going_back_are_rejected),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,7 +6,7 @@
 static struct ph_vertex any_end(void)
 {
     const struct ph_vertex v = any_vertex();
-    ASSUME(v.x >= -PH_REACH && v.x <= PH_REACH && v.y >= -PH_REACH && v.y <= PH_REACH);
+    ASSUME(v.x >= -PH_GUARD_MAX && v.x <= PH_GUARD_MAX && v.y >= -PH_GUARD_MAX && v.y <= PH_GUARD_MAX);
     return v;
 }
 
@@ -29,8 +29,9 @@ void proof_walk(void)
     struct part part;
     r.config.width = (uint16_t)u32_between(1, 1024);
     r.config.height = (uint16_t)u32_between(1, 1024);
-    const bool wide = ph_line_is_wide(&a, &b);
-    const int32_t from = wide ? a.x : a.y, to = wide ? b.x : b.y, size = wide ? r.config.width : r.config.height;
+    const bool x_major = ph_line_is_x_major(&a, &b);
+    const int32_t from = x_major ? a.x : a.y, to = x_major ? b.x : b.y,
+                  size = x_major ? r.config.width : r.config.height;
     ASSUME(ph_max(ph_first_row(ph_min(from, to)), 0) < ph_min(ph_first_row(ph_max(from, to)), size)); /* list_line */
     walk_of(&r, &a, &b, &t, &part);
     const struct ph_line *const way = &t.as.line.way;

@@ -29,7 +29,7 @@ static inline uint32_t fx_rcp16(uint32_t d)
 
 #define LEAST_S (-3) /* of a fixed format, whose N/w may be up to 8; 0 in the others */
 
-#define REACH (PH_REACH + 128) /* a corner of a line is half a pixel beside it */
+#define REACH (PH_GUARD_MAX + 128) /* a corner of a line is half a pixel beside it */
 
 #define ph_wide_area ph_wide_area_proved
 #include "sides.h"

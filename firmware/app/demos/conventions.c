@@ -132,7 +132,7 @@ static uint32_t conventions_band(struct demo_context *context, struct ph_rendere
     const uint32_t lines = ph_draw_band(r, band, pixels);
     const int32_t inset = context->height / 8 - 6; /* so that a round glass shows the labels, too */
     const bool low = context->height < 96;         /* there is room for one line at a time */
-    const int32_t y0 = (int32_t)(band * (r->config.band_height >> r->fine)), half = context->height / 2;
+    const int32_t y0 = (int32_t)(band * (r->config.band_height >> r->samples_log2)), half = context->height / 2;
     /* Quarters of the band; where halves have no room for their labels, all. */
     const bool roomy = context->height >= 32;
     const uint32_t from = roomy && y0 > half ? 2 : 0, end = roomy && y0 + (int32_t)lines < half ? 2 : QUARTERS;

@@ -109,7 +109,7 @@ extern const struct ph_scene_light demo_two_lamps;
 /* Whether band number `band`, of that many lines, holds a row of a text at row y of the picture, or of its outline. */
 static inline bool demo_text_reaches(const struct ph_renderer *r, uint32_t band, uint32_t lines, int32_t y)
 {
-    const int32_t y0 = (int32_t)(band * (r->config.band_height >> r->fine));
+    const int32_t y0 = (int32_t)(band * (r->config.band_height >> r->samples_log2));
     return y - 1 < y0 + (int32_t)lines && y + PH_FONT_HEIGHT >= y0;
 }
 

@@ -240,7 +240,7 @@ static int materials_frame(struct demo_context *context, struct ph_renderer *r, 
 static uint32_t materials_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const struct materials *const m = context->state;
-    const uint32_t lines = ph_draw_band(r, band, pixels), height = (uint32_t)r->config.band_height >> r->fine;
+    const uint32_t lines = ph_draw_band(r, band, pixels), height = (uint32_t)r->config.band_height >> r->samples_log2;
     const struct ph_overlay_band over = {pixels, context->width, (int32_t)(band * height), (int32_t)lines};
     const struct ph_sprite badge = {m->fence, SIDE, SIDE, 20, true, KEY, NULL};
     const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(20, 20, 40),

@@ -180,8 +180,8 @@ int demo_begin(const struct demo_context *context, struct ph_renderer *r, const 
 void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t x, int32_t y,
                const char *text)
 {
-    const struct ph_overlay_band over = {pixels, (uint16_t)(r->config.width >> r->fine),
-                                         (int32_t)(band * (r->config.band_height >> r->fine)), (int32_t)lines};
+    const struct ph_overlay_band over = {pixels, (uint16_t)(r->config.width >> r->samples_log2),
+                                         (int32_t)(band * (r->config.band_height >> r->samples_log2)), (int32_t)lines};
     static const struct ph_overlay_style style = {0xffff, 0, 1}; /* white on black in RGB565 */
     ph_overlay_text(&over, x, y, text, &style);
 }

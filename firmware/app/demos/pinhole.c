@@ -327,7 +327,7 @@ static uint32_t pinhole_band(struct demo_context *context, struct ph_renderer *r
         demo_half_text(context, r, band, lines, pixels, false, 0, "Z KEPT");
         demo_half_text(context, r, band, lines, pixels, true, 0, "A + B/Z");
     }
-    shut(context, (int32_t)(band * (uint32_t)(r->config.band_height >> r->fine)), lines, pixels);
+    shut(context, (int32_t)(band * (uint32_t)(r->config.band_height >> r->samples_log2)), lines, pixels);
     return lines;
 }
 

@@ -144,7 +144,7 @@ static int begin_right(const struct demo_context *context, const struct ph_rende
     struct ph_config config = left->config;
     config.width = context->width / 2;
     config.height = context->height;
-    config.band_height >>= left->fine;
+    config.band_height >>= left->samples_log2;
     config.depth_format = left->stats.depth_format == PH_DEPTH_FIXED16 ? PH_DEPTH_FLOAT16 : PH_DEPTH_FIXED16;
     config.vertices = config.triangles = z->list;
     config.vertex_max = sizeof(z->list) / PH_VERTEX_BYTES_32;

@@ -86,7 +86,8 @@ static void set_scale(struct ph_blur *b, const struct ph_lens *lens, const struc
 int ph_blur_begin(struct ph_blur *blur, const struct ph_renderer *r, void *scratch, size_t bytes,
                   const struct ph_focus *focus)
 {
-    const uint32_t width = (uint32_t)r->config.width >> r->fine, lines = (uint32_t)r->config.band_height >> r->fine;
+    const uint32_t width = (uint32_t)r->config.width >> r->samples_log2,
+                   lines = (uint32_t)r->config.band_height >> r->samples_log2;
     if (scratch == NULL || focus->distance <= 0 || focus->strength < 0 || focus->strength > FX_INT(64) ||
         focus->radius < 1 || focus->radius > PH_BLUR_RADIUS_MAX) {
         return PH_ERR_INVAL;
@@ -142,14 +143,14 @@ static inline uint16_t finish(const struct mix *m, uint32_t colour)
 }
 
 /* First pass: blurs line y of the picture along itself, into the ring. */
-static void take_line(const struct ph_blur *b, uint32_t y, const uint16_t *pixels, const void *depth, int fine,
+static void take_line(const struct ph_blur *b, uint32_t y, const uint16_t *pixels, const void *depth, int samples_log2,
                       int32_t width)
 {
     const uint32_t line = y % b->lines;
     uint16_t *out = b->colours + line * (uint32_t)width;
     int8_t *blurs = b->blurs + line * (uint32_t)width;
     for (int32_t x = 0; x < width; x++) {
-        const int32_t at = x << fine; /* the first sample of the pixel */
+        const int32_t at = x << samples_log2; /* the first sample of the pixel */
         blurs[x] = blur_of(b, b->wide ? ((const uint32_t *)depth)[at] : ((const uint16_t *)depth)[at]);
     }
     for (int32_t x = 0; x < width; x++) {
@@ -204,15 +205,16 @@ struct blur_share {
 static void blur_share(void *argument) /* called as run */
 {
     const struct blur_share *const s = argument;
-    const int fine = s->r->fine;
-    const uint32_t width = (uint32_t)s->r->config.width >> fine, height = (uint32_t)s->r->config.height >> fine;
+    const int samples_log2 = s->r->samples_log2;
+    const uint32_t width = (uint32_t)s->r->config.width >> samples_log2,
+                   height = (uint32_t)s->r->config.height >> samples_log2;
     for (uint32_t i = s->from; i < s->end; i++) {
         if (s->across) {
             give_line(s->b, s->y0 + i, height, width, s->pixels + i * width);
         } else {
             const uint8_t *const depth = s->r->config.depth;
-            take_line(s->b, s->y0 + i, s->pixels + i * width, depth + (i * width << 2 * fine) * (s->b->wide ? 4 : 2),
-                      fine, (int32_t)width);
+            take_line(s->b, s->y0 + i, s->pixels + i * width,
+                      depth + (i * width << 2 * samples_log2) * (s->b->wide ? 4 : 2), samples_log2, (int32_t)width);
         }
     }
 }
@@ -228,7 +230,8 @@ static void blur_lines(const struct ph_blur *b, const struct ph_renderer *r, uin
 
 uint32_t ph_blur_band(struct ph_blur *blur, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
-    const uint32_t height = (uint32_t)r->config.height >> r->fine, lines = (uint32_t)r->config.band_height >> r->fine;
+    const uint32_t height = (uint32_t)r->config.height >> r->samples_log2,
+                   lines = (uint32_t)r->config.band_height >> r->samples_log2;
     const uint32_t y0 = band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const uint32_t needed = y1 + blur->radius < height ? y1 + blur->radius : height;
     while (blur->drawn < needed) { /* a band each time */

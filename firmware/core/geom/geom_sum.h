@@ -27,8 +27,8 @@ static inline int64_t geom_sum_rounded(const int64_t *p, int n, int bits)
  */
 static inline bool geom_row_is_near(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
-    const uint32_t reach = (uint32_t)1 << 19, one = FX_Q30_ONE - 1;
-    const uint32_t large = ((uint32_t)x + reach) | ((uint32_t)y + reach) | ((uint32_t)z + reach);
+    const uint32_t range = (uint32_t)1 << 19, one = FX_Q30_ONE - 1;
+    const uint32_t large = ((uint32_t)x + range) | ((uint32_t)y + range) | ((uint32_t)z + range);
     const uint32_t steep = ((uint32_t)row[0] + one) | ((uint32_t)row[1] + one) | ((uint32_t)row[2] + one);
     return ((large >> 20) | ((steep | ((uint32_t)c + FX_Q30_ONE)) >> 31)) == 0;
 }

@@ -75,8 +75,8 @@ enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex
  * not the lowest: there a float is a fixed number with another slope. Else false. No corner is behind the far plane. */
 bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
 
-/* What ph_setup_usual takes of the references of a draw. */
-struct ph_usual {
+/* What ph_setup_fast takes of the references of a draw. */
+struct ph_fast {
     const struct ph_vertex *base;      /* corner 0 */
     uint32_t margin, inner_x, inner_y; /* inner: as in the renderer, for this margin (side + 256); neither is 0 */
     uint32_t side;                     /* PH_SIDE_SMALL or PH_SIDE_SHORT: the sides that it takes are below it */
@@ -91,23 +91,24 @@ struct ph_usual {
  * fixed16. Sets kind, block, material and ramp, too, and writes over the rest of t but order. If it does not return
  * PH_SMALL_SET, something of that is not so, or ph_setup_small leaves depth to the caller.
  */
-enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph_ref *ref, struct ph_triangle *t);
+enum ph_small_setup ph_setup_fast(const struct ph_fast *fast, const struct ph_ref *ref, struct ph_triangle *t);
 
 /* small_gouraud.c: draws a small triangle; depth, pixels: of column 0 of its first row. Returns its pixels. No code is
  * 0 (depth.h has head room), so where the depth is 0 the triangle can be seen. */
 uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes);
 
-/* wide_gouraud.c: draws at most PH_WIDE_ROWS rows of any triangle, or all of one whose sides are below PH_SIDE_SHORT,
+/* long_gouraud.c: draws at most PH_LONG_ROWS rows of any triangle, or all of one whose sides are below PH_SIDE_SHORT,
  * as ph_small_gouraud does. Its rows are cut to the picture; they may be longer than PH_SMALL_COLUMNS. */
-#define PH_WIDE_ROWS 16
-uint32_t ph_wide_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+#define PH_LONG_ROWS 16
+uint32_t ph_long_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
                          uint32_t stride_bytes);
 
-/* fine_gouraud.c: draws a triangle of PH_KIND_SMALL_FINE, whose light is as light_pixels of setup.c leaves it. Rows of
- * depth and of pixels begin at whole words. depth, pixels: of column 0 of its first row. Returns its samples. */
-uint32_t ph_fine_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
-                         uint32_t stride_bytes);
+/* samples_gouraud.c: draws a triangle of PH_KIND_SMALL_SAMPLES, whose light is as light_pixels of setup.c leaves it.
+ * Rows of depth and of pixels begin at whole words. depth, pixels: of column 0 of its first row. Returns its samples.
+ */
+uint32_t ph_samples_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+                            uint32_t stride_bytes);
 
 /* small_knee.c: draws a triangle of PH_KIND_SMALL_KNEE as ph_small_gouraud does one without a knee. */
 uint32_t ph_small_knee(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);

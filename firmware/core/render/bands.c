@@ -11,9 +11,9 @@
 #include "coarse.h"
 #include "cores.h"
 #include "feed.h"
-#include "fine.h"
 #include "kernels.h"
 #include "raster.h"
+#include "samples.h"
 #include "setup.h"
 
 #define ASKS_REFS 16 /* after so many references one core asks whether the other is idle */
@@ -93,10 +93,10 @@ PH_TIER(mesh) static void clear_depth(const struct ph_band *rows)
     ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
 }
 
-/* Clears the rows of a band; of samples only depth, see ph_fine_clear. */
+/* Clears the rows of a band; of samples only depth, see ph_samples_clear. */
 PH_TIER(mesh) static void clear(const struct ph_renderer *r, const struct ph_band *rows)
 {
-    if (r->fine == 0) {
+    if (r->samples_log2 == 0) {
         ph_fill(rows->pixels, r->background, (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width);
     }
     clear_depth(rows);
@@ -488,18 +488,18 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
     struct ph_coarse coarse[2]; /* the other core has its own, for its rows */
     coarse[0].count = coarse[1].count = 0;
     struct ph_band rows = {NULL, r->config.depth, depth24, r->config.width, y0, y1, r->config.width, coarse};
-    rows.pixels = r->fine != 0
+    rows.pixels = r->samples_log2 != 0
                       ? r->config.samples
                       : pixels; /* an assignment, not an initialiser: else clang-tidy asks for a const pointer */
-    struct ph_reach in;         /* set only with samples */
-    if (r->fine != 0) {
-        ph_fine_reach(r, band, &in);
+    struct ph_columns in;       /* set only with samples */
+    if (r->samples_log2 != 0) {
+        ph_samples_columns(r, band, &in);
     }
     struct ph_feed f;
     ph_feed_start(&f, r, band);
-    if (r->fine == 0 || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) {
-        if (r->fine != 0) {
-            ph_fine_clear(&rows, &in, r->background);
+    if (r->samples_log2 == 0 || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) {
+        if (r->samples_log2 != 0) {
+            ph_samples_clear(&rows, &in, r->background);
         }
         draw_triangles(&f, &rows);
         if (r->after != NULL) {
@@ -511,8 +511,8 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
     } else {
         clear_depth(&rows); /* a blur reads it; nobody reads a sample */
     }
-    if (r->fine != 0) {
-        ph_fine_means(&rows, &in, r->background, pixels);
+    if (r->samples_log2 != 0) {
+        ph_samples_resolve(&rows, &in, r->background, pixels);
     }
-    return r->list.band < r->band_count || ph_check_materials(r) ? (uint32_t)(y1 - y0) >> r->fine : 0;
+    return r->list.band < r->band_count || ph_check_materials(r) ? (uint32_t)(y1 - y0) >> r->samples_log2 : 0;
 }

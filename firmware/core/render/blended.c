@@ -18,7 +18,7 @@
 #include "setup.h"
 
 /* What the triangles of a draw have in common. */
-struct overlay {
+struct blend_pass {
     struct ph_renderer *r;
     const struct ph_band *band;
     uint32_t place, room[2]; /* memory for rows of its own; how many pixels they can have, without and with keys */
@@ -34,7 +34,7 @@ struct overlay {
 };
 
 /* Finds the part of the band that a reference may cover. False if there is none. */
-static bool box_of(const struct overlay *o, const struct ph_ref *ref, struct ph_box *box)
+static bool box_of(const struct blend_pass *o, const struct ph_ref *ref, struct ph_box *box)
 {
     *box = ph_box_of(o->r, &o->setting.draw, ref);
     box->y0 = ph_max(box->y0, o->band->y0);
@@ -78,7 +78,7 @@ static PH_NOINLINE uint32_t next_seen(const struct rows *row, uint32_t i, uint32
 }
 
 /* Lays n pixels of a cut-out triangle over the band. */
-static void lay_cut_out(const struct overlay *o, const struct rows *row, uint32_t n)
+static void lay_cut_out(const struct blend_pass *o, const struct rows *row, uint32_t n)
 {
     const bool depth24 = o->band->depth24;
     for (uint32_t i = 0; i < n; i++) {
@@ -99,7 +99,7 @@ static void lay_cut_out(const struct overlay *o, const struct rows *row, uint32_
 }
 
 /* Lays n pixels of a blended triangle over the band. */
-static void lay_blended(struct overlay *o, const struct rows *row, uint32_t n)
+static void lay_blended(struct blend_pass *o, const struct rows *row, uint32_t n)
 {
     const bool depth24 = o->band->depth24, times = o->blend->kind == PH_BLEND_TIMES;
     const uint32_t more = times ? 0 : 1; /* TIMES: also over the same depth */
@@ -138,7 +138,7 @@ static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *row
 /* Draws a triangle into rows of its own, as many at a time as there is room for, and lays them over the band. keys:
  * NULL, or the same triangle with the texels that decide. A row follows the one before without the columns beside the
  * triangle, if what draws it can do so, and else without those to the right. */
-static void draw_over(struct overlay *o, const struct ph_triangle *t, const struct ph_triangle *keys,
+static void draw_over(struct blend_pass *o, const struct ph_triangle *t, const struct ph_triangle *keys,
                       const struct ph_box *box)
 {
     const struct ph_band *const band = o->band;
@@ -175,7 +175,7 @@ static void draw_over(struct overlay *o, const struct ph_triangle *t, const stru
 /* ---- triangles -------------------------------------------------------------------------------------------------- */
 
 /* Blends a triangle of one colour with one alpha. */
-static void blend_flat(struct overlay *o, const struct ph_triangle *t)
+static void blend_flat(struct blend_pass *o, const struct ph_triangle *t)
 {
     const struct ph_band *const band = o->band;
     const struct ph_plane *const depth = &t->as.large.depth.as.plane;
@@ -198,7 +198,7 @@ static void blend_flat(struct overlay *o, const struct ph_triangle *t)
     }
 }
 
-static void draw_one(struct overlay *o, const struct ph_ref *ref)
+static void draw_one(struct blend_pass *o, const struct ph_ref *ref)
 {
     struct ph_box box;
     struct ph_triangle t, keys;
@@ -217,8 +217,8 @@ static void draw_one(struct overlay *o, const struct ph_ref *ref)
     draw_over(o, &t, o->has_keys && !o->same_keys ? &keys : NULL, &box);
 }
 
-/* Prepares the overlay for the triangles of a draw. */
-static void begin(struct overlay *o, const struct ph_draw *draw)
+/* Prepares the pass for the triangles of a draw. */
+static void begin(struct blend_pass *o, const struct ph_draw *draw)
 {
     const struct ph_material *const material = draw->material;
     struct ph_draw keys = *draw;
@@ -253,8 +253,8 @@ static bool is_of_kind(const struct ph_draw *draw, bool blends)
     return blend != NULL && (blend->kind >= PH_BLEND_ALPHA) == blends;
 }
 
-/* Draws what is cut out and multiplied, or what is blended, in the overlay's rows. */
-static void draw_kind(struct overlay *o, bool blends)
+/* Draws what is cut out and multiplied, or what is blended, in the pass's rows. */
+static void draw_kind(struct blend_pass *o, bool blends)
 {
     struct ph_renderer *const r = o->r;
     const uint32_t first = (uint32_t)o->band->y0 >> 3, last = (uint32_t)(o->band->y1 - 1) >> 3;
@@ -280,7 +280,7 @@ static void draw_share(void *argument) /* called as run */
     struct ph_renderer *const r = s->r;
     const uint32_t deep = s->band.depth24 ? 4 : 2;
     const uint32_t upper = r->rows / s->parts, rows = s->part == 0 ? upper : r->rows - upper;
-    struct overlay o = {.r = r, .band = &s->band, .place = r->rows_place};
+    struct blend_pass o = {.r = r, .band = &s->band, .place = r->rows_place};
     o.place += s->part * upper * ph_row_bytes(r);
     o.room[1] = rows * ph_row_pixels(r);
     o.room[0] = rows * ph_row_bytes(r) / (2 + deep) & ~1u; /* even, too */

@@ -11,20 +11,20 @@ enum { PLANE_NEAR, PLANE_FAR, PLANE_LEFT, PLANE_RIGHT, PLANE_TOP, PLANE_BOTTOM, 
 /* Distance from a plane, positive inside. Its scale does not matter; it is below 2^46. */
 PH_TIER(few) static int64_t distance(const struct ph_lens *lens, const struct ph_clip_vertex *v, int plane)
 {
-    const int64_t reach = (int64_t)v->w * 8, scale = (int64_t)1 << lens->guard_up;
+    const int64_t guard = (int64_t)v->w * 8, scale = (int64_t)1 << lens->guard_up;
     switch (plane) {
     case PLANE_NEAR:
         return (int64_t)v->z - lens->near_z;
     case PLANE_FAR:
         return (int64_t)lens->far_z - v->z;
     case PLANE_LEFT:
-        return reach + v->x * scale;
+        return guard + v->x * scale;
     case PLANE_RIGHT:
-        return reach - v->x * scale;
+        return guard - v->x * scale;
     case PLANE_TOP:
-        return reach + v->y * scale;
+        return guard + v->y * scale;
     default:
-        return reach - v->y * scale;
+        return guard - v->y * scale;
     }
 }
 

@@ -11,8 +11,8 @@ PH_TIER(few) static struct ph_corner project_corner(const struct ph_lens *lens, 
 {
     struct ph_vertex v;
     ph_project(lens, in->x, in->y, in->w, in->z, &v);
-    v.x = ph_max(ph_min(v.x, PH_REACH), -PH_REACH);
-    v.y = ph_max(ph_min(v.y, PH_REACH), -PH_REACH);
+    v.x = ph_max(ph_min(v.x, PH_GUARD_MAX), -PH_GUARD_MAX);
+    v.y = ph_max(ph_min(v.y, PH_GUARD_MAX), -PH_GUARD_MAX);
     v.light = (uint16_t)in->light;
     v.code = 0;
     return (struct ph_corner){v, {in->uv[0], in->uv[1]}};

@@ -103,7 +103,7 @@ static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx
 }
 
 /* Whether x is the longer axis of a line: see line.h. */
-static inline bool ph_line_is_wide(const struct ph_vertex *a, const struct ph_vertex *b)
+static inline bool ph_line_is_x_major(const struct ph_vertex *a, const struct ph_vertex *b)
 {
     return fx_magnitude(b->x - a->x) >= fx_magnitude(b->y - a->y);
 }
@@ -118,7 +118,7 @@ static inline int32_t ph_line_pixel(int32_t across)
 static inline void ph_line_of_samples(struct ph_vertex *a, struct ph_vertex *b, int line)
 {
     const int32_t aside = line * 256 - 128;
-    int32_t *const of_a = ph_line_is_wide(a, b) ? &a->y : &a->x, *const of_b = of_a == &a->y ? &b->y : &b->x;
+    int32_t *const of_a = ph_line_is_x_major(a, b) ? &a->y : &a->x, *const of_b = of_a == &a->y ? &b->y : &b->x;
     *of_a += aside;
     *of_b += aside;
 }

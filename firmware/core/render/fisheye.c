@@ -12,7 +12,7 @@
 #include "fisheye_ray.h"
 
 #define LONG        20           /* edges longer than this part of a turn are divided always */
-#define REACH       (2048 * 256) /* set-up takes coordinates up to here from the centre, 1/256 px */
+#define SET_UP_MAX  (2048 * 256) /* set-up takes coordinates up to here from the centre, 1/256 px */
 #define PART_Q32(v) ((uint32_t)((v)*4294967296.0))
 #define G_SHIFT     23 /* from c in Q29 to a step of the table: 64 steps from 0 to 1 */
 
@@ -137,7 +137,7 @@ PH_TIER(few) void ph_fisheye_place(const struct ph_lens *lens, struct ph_ray *v)
     v->at.x = lens->centre_x + x;
     v->at.y = lens->centre_y + y;
     v->flags =
-        (uint16_t)((v->direction[2] < PH_FISHEYE_BLIND ? PH_RAY_BLIND : 0u) | (size > REACH ? PH_RAY_BEYOND : 0u) |
+        (uint16_t)((v->direction[2] < PH_FISHEYE_BLIND ? PH_RAY_BLIND : 0u) | (size > SET_UP_MAX ? PH_RAY_BEYOND : 0u) |
                    ph_fisheye_zone(lens, size) | spheres_of(lens, v->inverse));
 }
 

@@ -29,10 +29,10 @@ static int check_config(const struct ph_config *config)
         return PH_ERR_INVAL;
     }
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
-    const int fine = config->samples != NULL ? 1 : 0;
-    if (width < 1 || width << fine > 1024 || height < 1 || height << fine > 1024 || lines < 1 || lines > height ||
-        !depth_is_usable(config) ||
-        (fine != 0 && ((uintptr_t)config->samples | (uintptr_t)config->depth) % sizeof(uint32_t) != 0)) {
+    const int samples_log2 = config->samples != NULL ? 1 : 0;
+    if (width < 1 || width << samples_log2 > 1024 || height < 1 || height << samples_log2 > 1024 || lines < 1 ||
+        lines > height || !depth_is_usable(config) ||
+        (samples_log2 != 0 && ((uintptr_t)config->samples | (uintptr_t)config->depth) % sizeof(uint32_t) != 0)) {
         return PH_ERR_INVAL;
     }
     if (config->vertices == NULL || config->triangles == NULL || config->bins == NULL ||
@@ -56,16 +56,16 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
         ph_list_close(r);
         return status;
     }
-    const int fine = config->samples != NULL ? 1 : 0;
+    const int samples_log2 = config->samples != NULL ? 1 : 0;
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
     *r = (struct ph_renderer){.config = *config,
-                              .inner_x = inner(width << fine),
-                              .inner_y = inner(height << fine),
+                              .inner_x = inner(width << samples_log2),
+                              .inner_y = inner(height << samples_log2),
                               .band_count = (height + lines - 1) / lines,
-                              .fine = (uint8_t)fine};
-    r->config.width = (uint16_t)(width << fine);
-    r->config.height = (uint16_t)(height << fine);
-    r->config.band_height = (uint16_t)(lines << fine);
+                              .samples_log2 = (uint8_t)samples_log2};
+    r->config.width = (uint16_t)(width << samples_log2);
+    r->config.height = (uint16_t)(height << samples_log2);
+    r->config.band_height = (uint16_t)(lines << samples_log2);
     ph_list_begin(r);
     ph_list_close(r);
     return PH_OK;
@@ -81,10 +81,10 @@ static int32_t centre_of(int32_t size, fx_t shift)
 static int lens_focal(struct ph_lens *lens, const struct ph_projection *p, int32_t width, int32_t height)
 {
     const int64_t fx = fx_mul_wide(p->scale_x_q20, width), fy = fx_mul_wide(p->scale_y_q20, height); /* px, Q21 */
-    const int32_t reach = 2 * ph_max(width, height); /* px; with |shift| <= 2 no pixel is further away than 1.5 sizes */
+    const int32_t guard = 2 * ph_max(width, height); /* px; with |shift| <= 2 no pixel is further away than 1.5 sizes */
     const int64_t longest = fx > fy ? fx : fy;
     int log2 = 0;
-    while (log2 <= 18 && (((int64_t)1 << (21 + log2)) < longest || (4 << log2) < reach)) {
+    while (log2 <= 18 && (((int64_t)1 << (21 + log2)) < longest || (4 << log2) < guard)) {
         log2++;
     }
     if (log2 > 18) {

@@ -28,7 +28,7 @@ static inline void list_line(struct ph_renderer *r, const uint16_t ends[2], cons
     int32_t left = a->x, right = b->x, top = a->y, low = b->y;
     sort(&left, &right);
     sort(&top, &low);
-    if (right - left >= low - top) { /* ph_line_is_wide */
+    if (right - left >= low - top) { /* ph_line_is_x_major */
         left = ph_first_row(left);
         right = ph_first_row(right);
         top = ph_line_pixel(top);
@@ -51,9 +51,9 @@ PH_TIER(few)
 PH_NOINLINE void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a,
                               const struct ph_vertex *b)
 {
-    for (unsigned which = 0; which <= r->fine; which++) {
+    for (unsigned which = 0; which <= r->samples_log2; which++) {
         struct ph_vertex of_a = *a, of_b = *b;
-        if (r->fine != 0) {
+        if (r->samples_log2 != 0) {
             ph_line_of_samples(&of_a, &of_b, (int)which);
         }
         list_line(r, ends, &of_a, &of_b, which);
@@ -85,7 +85,7 @@ uint32_t ph_list_lines(struct ph_renderer *r, const uint16_t (*edges)[2], uint32
         if (((a->code | b->code) & PH_CLIP) != 0) {
             break;
         }
-        if (r->fine == 0) {
+        if (r->samples_log2 == 0) {
             list_line(r, *edge, a, b, 0);
         } else {
             ph_list_line(r, *edge, a, b);
@@ -123,7 +123,7 @@ static PH_NOINLINE int32_t change_before(int32_t change, int32_t before, int32_t
 }
 
 /* Whether a line is over a pixel long and its upper end is in the picture: before < 256 <= length. */
-static inline bool is_usual(const struct part *part)
+static inline bool is_fast(const struct part *part)
 {
     return part->before < 256 && part->length >= 256;
 }
@@ -139,7 +139,7 @@ static inline void step(struct ph_line *l, int32_t n)
 PH_TIER(scenery) static int32_t pixels_above(const struct ph_line *l, int32_t y)
 {
     int32_t n = 0;
-    if (!l->wide) {
+    if (!l->x_major) {
         return ph_max(y - l->along, 0);
     }
     for (int32_t row = l->across; n < l->count && row >> 16 < y; row += l->slope) {
@@ -167,24 +167,24 @@ static inline void walk_of(const struct ph_renderer *r, const struct ph_vertex *
 {
     struct ph_line *const l = &t->as.line.way;
     const int32_t dx = b->x - a->x, dy = b->y - a->y;
-    const bool wide = fx_magnitude(dx) >= (uint32_t)dy; /* ph_line_is_wide */
+    const bool x_major = fx_magnitude(dx) >= (uint32_t)dy; /* ph_line_is_x_major */
     int32_t across = a->y, change = dy;
-    if (wide) {
+    if (x_major) {
         pixels_of(l, part, a->x, b->x, dx < 0, r->config.width);
     } else {
         pixels_of(l, part, a->y, b->y, false, r->config.height);
         across = a->x;
         change = dx;
     }
-    l->wide = wide;
+    l->x_major = x_major;
     part->reciprocal = ph_wide_reciprocal((uint32_t)part->length, &part->shift);
     const int32_t slope_q28 = part_q28(part->reciprocal, part->shift, change);
     l->slope = (slope_q28 + (1 << 11)) >> 12;
     l->across = across * 256 - 1 +
-                (is_usual(part) ? (slope_q28 >> 8) * part->before >> 12
-                                : change_before(change * 256, part->before, part->reciprocal, part->shift));
+                (is_fast(part) ? (slope_q28 >> 8) * part->before >> 12
+                               : change_before(change * 256, part->before, part->reciprocal, part->shift));
     int32_t top = l->along, end = l->along + l->count;
-    if (wide) {
+    if (x_major) {
         top = ph_max(l->across >> 16, 0);
         end = ph_min(((l->across + (l->count - 1) * l->slope) >> 16) + 1, r->config.height);
     }
@@ -192,12 +192,12 @@ static inline void walk_of(const struct ph_renderer *r, const struct ph_vertex *
     t->y_bottom = (int16_t)end;
 }
 
-/* Three corners of the parallelogram that the line is when it is one pixel wide across its longer axis. */
+/* Three corners of the parallelogram that the line is when it is one pixel across its longer axis. */
 static void line_corners(const struct ph_vertex *a, const struct ph_vertex *b, struct ph_vertex out[3])
 {
-    const bool wide = ph_line_is_wide(a, b),
-               turned = wide ? b->x > a->x : b->y < a->y; /* so that it faces the viewer */
-    const int32_t side_x = wide ? 0 : 128, side_y = 128 - side_x;
+    const bool x_major = ph_line_is_x_major(a, b),
+               turned = x_major ? b->x > a->x : b->y < a->y; /* so that it faces the viewer */
+    const int32_t side_x = x_major ? 0 : 128, side_y = 128 - side_x;
     out[0] = turned ? *b : *a;
     out[1] = out[2] = turned ? *a : *b;
     for (int i = 0; i < 3; i++) {
@@ -207,7 +207,7 @@ static void line_corners(const struct ph_vertex *a, const struct ph_vertex *b, s
     }
 }
 
-/* Depth in any format, as that of a triangle that is one pixel wide across the longer axis. */
+/* Depth in any format, as that of a triangle that is one pixel across the longer axis. */
 static PH_NOINLINE void any_depth(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                                   struct ph_triangle *t)
 {
@@ -232,9 +232,9 @@ static inline bool end_codes(const struct ph_setting *s, const struct ph_vertex 
     }
     const struct ph_vertex *const v[3] = {a, b, b};
     if (!s->floats) {
-        d[0] = ph_depth_before(ph_depth_of(a), 0, 0) + s->usual.bias;
-        d[1] = ph_depth_before(ph_depth_of(b), 0, 0) + s->usual.bias;
-    } else if (!ph_float_depths(&s->r->lens, v, s->usual.bias, d)) {
+        d[0] = ph_depth_before(ph_depth_of(a), 0, 0) + s->fast.bias;
+        d[1] = ph_depth_before(ph_depth_of(b), 0, 0) + s->fast.bias;
+    } else if (!ph_float_depths(&s->r->lens, v, s->fast.bias, d)) {
         return false;
     }
     return (d[0] ^ d[1]) >> 31 == 0;
@@ -261,8 +261,8 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
     const int32_t gd = part.length >= 256 ? step_of(&part, change) : 0;
     t->as.line.depth.codes.gd = (uint32_t)gd;
     t->as.line.depth.codes.d =
-        d[0] + (uint32_t)(is_usual(&part) ? (gd >> 8) * part.before
-                                          : change_before(change, part.before, part.reciprocal, part.shift));
+        d[0] + (uint32_t)(is_fast(&part) ? (gd >> 8) * part.before
+                                         : change_before(change, part.before, part.reciprocal, part.shift));
 }
 
 /* Cuts a line's *count pixels down to those that lie in columns or rows 0 .. size - 1 across its longer axis; the first
@@ -294,7 +294,7 @@ static PH_NOINLINE void draw_any(const struct ph_triangle *t, int32_t skipped, i
     flat.as.large.of.colour = t->as.line.colour;
     pixel = flat;
     for (step(&l, skipped); count > 0; step(&l, 1), count--) {
-        const int32_t across = l.across >> 16, x = l.wide ? l.along : across, y = l.wide ? across : l.along;
+        const int32_t across = l.across >> 16, x = l.x_major ? l.along : across, y = l.x_major ? across : l.along;
         if (t->block == PH_BLOCK_EXACT) {
             ph_exact_run(&flat, x, x + 1, y, &pixel);
         }
@@ -309,7 +309,7 @@ PH_TIER(scenery) uint32_t ph_draw_line_rows(const struct ph_triangle *t, const s
     int32_t at = l->along, count = l->count, across = l->across, size = rows, skipped = 0; /* at: of the memory */
     struct ph_line_run run;
     run.slope = slope;
-    if (l->wide) {
+    if (l->x_major) {
         across -= y0 * 65536;
         run.stride = stride;
         run.forward = l->step;

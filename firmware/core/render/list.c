@@ -173,7 +173,7 @@ struct ph_box ph_box_of(const struct ph_renderer *r, const struct ph_draw *draw,
 {
     const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
     const uint8_t *const base = ph_at(r, draw->base);
-    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << r->fine : 0;
+    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, half_width = n == 2 ? 128 << r->samples_log2 : 0;
     struct ph_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (int i = 0; i < n; i++) {
         const struct ph_vertex *const v = (const void *)(base + ref->corner[i] * size);
@@ -182,8 +182,8 @@ struct ph_box ph_box_of(const struct ph_renderer *r, const struct ph_draw *draw,
         box.y0 = ph_min(box.y0, v->y);
         box.y1 = ph_max(box.y1, v->y);
     }
-    return (struct ph_box){ph_first_row(box.x0 - wide), ph_first_row(box.x1 + wide), ph_first_row(box.y0 - wide),
-                           ph_first_row(box.y1 + wide)};
+    return (struct ph_box){ph_first_row(box.x0 - half_width), ph_first_row(box.x1 + half_width),
+                           ph_first_row(box.y0 - half_width), ph_first_row(box.y1 + half_width)};
 }
 
 PH_TIER(seldom) void ph_list_put_after(struct ph_renderer *r, uint32_t first)
@@ -197,9 +197,9 @@ PH_TIER(seldom) void ph_list_put_after(struct ph_renderer *r, uint32_t first)
             const struct ph_box box = ph_box_of(r, draw, ref);
             const int32_t from = ph_max(box.y0, 0), last = ph_max(ph_min(box.y1, r->config.height) - 1, 0);
             ref->link = (uint16_t)(PH_LINK_AFTER | (last >> 3 & 127) << 8 | from >> 3);
-            const int32_t wide = ph_max(ph_min(box.x1, r->config.width) - ph_max(box.x0, 0), 0) + SET_UP_WORK;
+            const int32_t columns = ph_max(ph_min(box.x1, r->config.width) - ph_max(box.x0, 0), 0) + SET_UP_WORK;
             for (int32_t pair = from >> 1; pair <= last >> 1; pair++) {
-                work[pair] = (uint16_t)(work[pair] + wide);
+                work[pair] = (uint16_t)(work[pair] + columns);
             }
         }
         place = draw->next;
@@ -417,8 +417,9 @@ static int32_t gap_behind(const struct ph_renderer *r, const struct ph_draw *las
     if (last == NULL || last->uvs != NULL) {
         return -1;
     }
-    const uint32_t from = last->base & 0x3fffffff, behind = r->list.used[last->base >> 30] - from, odd = behind % size;
-    const uint32_t gap = odd != 0 ? size - odd : 0;
+    const uint32_t from = last->base & 0x3fffffff, behind = r->list.used[last->base >> 30] - from,
+                   excess = behind % size;
+    const uint32_t gap = excess != 0 ? size - excess : 0;
     return (behind + gap) / size + n <= 65536 ? (int32_t)gap : -1;
 }
 

@@ -218,7 +218,7 @@ PH_TIER(scenery) static inline uint32_t twice_extent(int32_t d1, int32_t d2)
 
 /* How far a centre may lie outside the corners by the rounding of edges, 2^-24 px: 2^-16 px a row, and on short sides
  * 2^-15 px a column. */
-PH_TIER(scenery) static uint32_t reach(const struct ph_sides *s)
+PH_TIER(scenery) static uint32_t outside(const struct ph_sides *s)
 {
     const uint32_t rows = twice_extent(s->dy1, s->dy2) >> 1;
     return s->is_short ? rows + twice_extent(s->dx1, s->dx2) : rows;
@@ -229,8 +229,8 @@ PH_TIER(scenery) static uint32_t reach(const struct ph_sides *s)
 PH_TIER(scenery) static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int down)
 {
     const uint32_t gx = ph_without_sign((int32_t)plane->gx);
-    const int most = s->is_short ? 17 : 24; /* bits of reach */
-    return gx >> (down - most) != 0 && fx_mulhi_u32(gx, reach(s)) >> (down - 32) != 0;
+    const int most = s->is_short ? 17 : 24; /* bits of outside() */
+    return gx >> (down - most) != 0 && fx_mulhi_u32(gx, outside(s)) >> (down - 32) != 0;
 }
 
 /*
@@ -488,7 +488,8 @@ PH_TIER(scenery) static uint16_t ramp_colour(const struct ph_material *material,
 
 /* plane_base as a function of its own, for triangles that are rare. */
 PH_TIER(scenery)
-static PH_NOINLINE void rare_base(struct plane_base *base, const struct ph_vertex *first, const struct ph_sides *sides)
+static PH_NOINLINE void general_base(struct plane_base *base, const struct ph_vertex *first,
+                                     const struct ph_sides *sides)
 {
     plane_base(base, first, sides);
 }
@@ -502,7 +503,7 @@ void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], c
         t->as.large.of.colour = ph_wire16(v[0]->light);
         return;
     }
-    rare_base(&base, v[0], sides);
+    general_base(&base, v[0], sides);
     for (int k = 0; k < 3; k++) {
         uint32_t at[3];
         for (int i = 0; i < 3; i++) {
@@ -566,7 +567,7 @@ bool ph_set_depth(const struct ph_renderer *r, const struct ph_material *materia
                   const struct ph_sides *sides, struct ph_depth *depth, uint8_t *block)
 {
     struct plane_base base;
-    rare_base(&base, v[0], sides);
+    general_base(&base, v[0], sides);
     return setup_depth(r, &base, material, v, depth, block);
 }
 
@@ -575,6 +576,6 @@ bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const s
                     const uint32_t d[3])
 {
     struct plane_base base;
-    rare_base(&base, first, sides);
+    general_base(&base, first, sides);
     return depth_plane(&base, false, d, out) <= 0 && !is_steep(sides, out, STEEP);
 }

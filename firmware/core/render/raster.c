@@ -107,23 +107,24 @@ PH_TIER(scenery) static PH_NOINLINE uint32_t draw_split(const struct ph_triangle
 }
 
 /* Draws a small triangle of samples. */
-static PH_NOINLINE uint32_t draw_fine(const struct ph_triangle *t, const struct ph_band *band)
+static PH_NOINLINE uint32_t draw_samples(const struct ph_triangle *t, const struct ph_band *band)
 {
     const uint32_t stride_bytes = 2 * (uint32_t)band->stride;
     if (t->y_top >= band->y0 && t->y_bottom <= band->y1) {
         const uint32_t start = (uint32_t)(t->y_top - band->y0) * band->stride;
-        return ph_fine_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start, stride_bytes);
+        return ph_samples_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start,
+                                  stride_bytes);
     }
     struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = cut_rows(t, band, &r);
     if (t->y_top < band->y0) {
         mend_light(&r, (uint32_t)(band->y0 - t->y_top));
     }
-    return ph_fine_gouraud(&r, at.depth, at.pixels, stride_bytes);
+    return ph_samples_gouraud(&r, at.depth, at.pixels, stride_bytes);
 }
 
 /* ph_draw_above for a small triangle of samples. */
-static PH_NOINLINE uint32_t draw_fine_above(struct ph_triangle *t, const struct ph_band *band)
+static PH_NOINLINE uint32_t draw_samples_above(struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle *const small = &t->as.small.rows;
     if (t->y_top < band->y0) {
@@ -131,7 +132,7 @@ static PH_NOINLINE uint32_t draw_fine_above(struct ph_triangle *t, const struct 
     }
     const uint16_t upper_rows = small->upper_rows, lower_rows = small->lower_rows;
     const struct ph_place at = cut_rows(t, band, small);
-    const uint32_t count = ph_fine_gouraud(small, at.depth, at.pixels, 2 * at.stride);
+    const uint32_t count = ph_samples_gouraud(small, at.depth, at.pixels, 2 * at.stride);
     small->upper_rows = upper_rows;
     small->lower_rows = lower_rows;
     ph_step_below(t, band->y1);
@@ -139,15 +140,15 @@ static PH_NOINLINE uint32_t draw_fine_above(struct ph_triangle *t, const struct 
 }
 
 /* Draws a triangle that is small but for its long rows. */
-static PH_NOINLINE uint32_t draw_wide(const struct ph_triangle *t, const struct ph_band *band)
+static PH_NOINLINE uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->as.small.rows;
     struct ph_place at = cut_rows(t, band, &r);
     if (t->block != PH_BLOCK_NONE) {
-        at.wide = true;
+        at.long_rows = true;
         return ph_draw_rows_split(t, &r, at, NULL);
     }
-    return ph_wide_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
+    return ph_long_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
 }
 
 /* Draws a small textured triangle that crosses octaves. */
@@ -201,11 +202,11 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
     if (t->kind == PH_KIND_SMALL_SPLIT) {
         return draw_split(t, band);
     }
-    if (t->kind == PH_KIND_SMALL_FINE) {
-        return draw_fine(t, band);
+    if (t->kind == PH_KIND_SMALL_SAMPLES) {
+        return draw_samples(t, band);
     }
-    if (t->kind == PH_KIND_SMALL_WIDE) {
-        return draw_wide(t, band);
+    if (t->kind == PH_KIND_SMALL_LONG) {
+        return draw_long(t, band);
     }
     if (t->kind >= PH_KIND_LINE) {
         return ph_draw_line_rows(t, band);
@@ -231,12 +232,12 @@ PH_TIER(loop) void ph_step_below(struct ph_triangle *t, int32_t y1)
         ph_line_step_below(t, y1);
         return;
     }
-    const bool is_fine = t->kind == PH_KIND_SMALL_FINE;
-    if (is_fine || can_step(t)) {
+    const bool has_samples = t->kind == PH_KIND_SMALL_SAMPLES;
+    if (has_samples || can_step(t)) {
         const uint32_t rows = (uint32_t)(y1 - t->y_top);
         skip_rows(&t->as.small.rows, rows);
         t->y_top = (int16_t)y1;
-        if (is_fine) {
+        if (has_samples) {
             mend_light(&t->as.small.rows, rows);
         }
     }
@@ -245,8 +246,8 @@ PH_TIER(loop) void ph_step_below(struct ph_triangle *t, int32_t y1)
 /* The general case of ph_draw_above: draws the triangle, then steps it down to the next band. */
 PH_TIER(loop) static PH_NOINLINE uint32_t draw_then_step(struct ph_triangle *t, const struct ph_band *band)
 {
-    if (t->kind == PH_KIND_SMALL_FINE) {
-        return draw_fine_above(t, band);
+    if (t->kind == PH_KIND_SMALL_SAMPLES) {
+        return draw_samples_above(t, band);
     }
     const uint32_t count = ph_draw_triangle(t, band);
     ph_step_below(t, band->y1);

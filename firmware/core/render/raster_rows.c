@@ -74,9 +74,9 @@ static uint32_t empty_rows(const struct ph_small_triangle *r, uint32_t width)
 static uint32_t draw_upper_rows(const struct ph_small_triangle *r, const struct ph_place *at,
                                 struct ph_small_texels *texels)
 {
-    return texels != NULL ? ph_small_texels_draw(texels, r, at->depth, at->pixels)
-           : at->wide     ? ph_wide_gouraud(r, at->depth, at->pixels, 2 * at->stride)
-                          : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+    return texels != NULL  ? ph_small_texels_draw(texels, r, at->depth, at->pixels)
+           : at->long_rows ? ph_long_gouraud(r, at->depth, at->pixels, 2 * at->stride)
+                           : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
 }
 
 /* Draws rows of one octave. The steps of d are multiples of 8, so the shift to codes loses no bit of them. */
@@ -175,15 +175,15 @@ uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangl
 
 /* Draws so many rows of a Gouraud triangle that is not small; r stands at the first of them. */
 PH_TIER(scenery)
-static uint32_t draw_wide_rows(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
+static uint32_t draw_long_rows(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
                                uint32_t rows)
 {
     uint32_t count = 0;
     while (rows > 0) {
-        const uint32_t n = rows < PH_WIDE_ROWS ? rows : PH_WIDE_ROWS;
+        const uint32_t n = rows < PH_LONG_ROWS ? rows : PH_LONG_ROWS;
         r->upper_rows = (uint16_t)n;
         if (t->block == PH_BLOCK_NONE) {
-            count += ph_wide_gouraud(r, at.depth, at.pixels, 2 * at.stride);
+            count += ph_long_gouraud(r, at.depth, at.pixels, 2 * at.stride);
             if (n == rows) { /* as in every band of 16 lines */
                 return count;
             }
@@ -199,7 +199,7 @@ static uint32_t draw_wide_rows(const struct ph_triangle *t, struct ph_small_tria
 }
 
 /* Draws a Gouraud triangle that is not small, with depth of 16 bits. */
-PH_TIER(scenery) uint32_t ph_draw_wide(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(scenery) uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band)
 {
     const struct ph_plane *const depth = &t->as.large.depth.as.plane, *const light = &t->as.large.of.light;
     struct ph_small_triangle r;
@@ -221,7 +221,7 @@ PH_TIER(scenery) uint32_t ph_draw_wide(const struct ph_triangle *t, const struct
             r.d = depth->base + (uint32_t)in.y * depth->gy;
             r.light = light->base + (uint32_t)in.y * light->gy;
             const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride, true};
-            count += draw_wide_rows(t, &r, at, (uint32_t)(in.y_end - in.y));
+            count += draw_long_rows(t, &r, at, (uint32_t)(in.y_end - in.y));
         }
     }
     return count;

@@ -7,17 +7,17 @@
 
 /* What all triangles and lines of a draw share; ph_setting_of in setup.h fills it in. */
 struct ph_setting {
-    bool is_small;         /* small triangles are drawn as such */
-    bool is_usual;         /* ph_setup_usual knows such triangles */
-    bool has_usual_texels; /* ... and all but u and v of such triangles, which are textured */
-    bool takes_narrow;     /* triangles may be drawn as small ones that are only as narrow: with a texture, and those
-                              of samples, of which twice as many are not small */
-    bool floats;           /* float16, else fixed16 */
-    bool keeps_light; /* a small triangle keeps the light that ph_setup_small has set: else see ph_set_usual_light */
-    uint8_t shading;  /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
-    bool fine;        /* pixels are samples */
-    struct ph_usual usual; /* base: with PH_DRAW_UVS a struct ph_corner; ramp: the material's, or its colour as the only
-                              entry; bias: what is added to the codes of the format, in fixed16 to N/w (depth.h) */
+    bool is_small;        /* small triangles are drawn as such */
+    bool is_fast;         /* ph_setup_fast knows such triangles */
+    bool has_fast_texels; /* ... and all but u and v of such triangles, which are textured */
+    bool takes_narrow;    /* triangles may be drawn as small ones that are only as narrow: with a texture, and those
+                             of samples, of which twice as many are not small */
+    bool floats;          /* float16, else fixed16 */
+    bool keeps_light;     /* a small triangle keeps the light that ph_setup_small has set: else see ph_set_fast_light */
+    uint8_t shading;      /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
+    bool has_samples;     /* pixels are samples */
+    struct ph_fast fast;  /* base: with PH_DRAW_UVS a struct ph_corner; ramp: the material's, or its colour as the only
+                               entry; bias: what is added to the codes of the format, in fixed16 to N/w (depth.h) */
     const struct ph_renderer *r;
     struct ph_draw draw;
 };

@@ -101,22 +101,22 @@ static inline bool is_narrow(uint32_t dx1, uint32_t dx2)
     return ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
 }
 
-/* How far a triangle exceeds a small one: NARROW in height only, WIDE in width as well, FAR: it is drawn as a large
- * one. */
-enum reach { FAR, WIDE, NARROW }; /* NARROW: as narrow as a small one */
+/* How far a triangle exceeds a small one: NARROW in height only, LONG_ROWS in width as well, LARGE: it is drawn as a
+ * large one. */
+enum excess { LARGE, LONG_ROWS, NARROW }; /* NARROW: as narrow as a small one */
 
 PH_TIER(few)
-static PH_NOINLINE enum reach reach_of(const struct ph_setting *s, const struct ph_sides *sides,
-                                       const struct ph_vertex *const v[3])
+static PH_NOINLINE enum excess excess_of(const struct ph_setting *s, const struct ph_sides *sides,
+                                         const struct ph_vertex *const v[3])
 {
     const uint32_t dx1 = (uint32_t)sides->dx1, dx2 = (uint32_t)sides->dx2, dy = (uint32_t)(sides->dy2 - sides->dy1);
     if (!s->takes_narrow || !sides->is_short ||
         ((dy + PH_SIDE_SHORT) | (dx2 - dx1 + PH_SIDE_SHORT)) >= 2 * PH_SIDE_SHORT ||
         !is_between(v[0]->x, v[1]->x, v[2]->x, s->r->config.width) ||
         !is_between(v[0]->y, v[1]->y, v[2]->y, s->r->config.height)) {
-        return FAR;
+        return LARGE;
     }
-    return is_narrow(dx1, dx2) ? NARROW : WIDE;
+    return is_narrow(dx1, dx2) ? NARROW : LONG_ROWS;
 }
 
 /* Depth of the corners in the format of small triangles, and the block exponent. False if two are 2^31 apart. */
@@ -127,13 +127,13 @@ static inline bool small_depths(const struct ph_setting *s, const struct ph_vert
     const struct ph_renderer *r = s->r;
     *block = PH_BLOCK_NONE;
     if (s->floats) {
-        if (!ph_float_depths(&r->lens, v, s->usual.bias, d)) {
+        if (!ph_float_depths(&r->lens, v, s->fast.bias, d)) {
             *block = ph_block_depths(r, v, ph_depth_bias(s->draw.material), d);
         }
         return true;
     }
     for (int i = 0; i < 3; i++) {
-        d[i] = ph_depth_before(ph_depth_of(v[i]), 0, 0) + s->usual.bias;
+        d[i] = ph_depth_before(ph_depth_of(v[i]), 0, 0) + s->fast.bias;
     }
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
@@ -243,15 +243,15 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     }
 }
 
-/* Lets ph_setup_usual take longer sides where pixels are samples, if the picture is large enough. */
-static PH_NOINLINE void widen_usual(struct ph_usual *usual)
+/* Lets ph_setup_fast take longer sides where pixels are samples, if the picture is large enough. */
+static PH_NOINLINE void widen_fast(struct ph_fast *fast)
 {
     const uint32_t more = PH_SIDE_SHORT - PH_SIDE_SMALL;
-    if (usual->inner_x > 2 * more && usual->inner_y > 2 * more) {
-        usual->side += more;
-        usual->margin += more;
-        usual->inner_x -= 2 * more;
-        usual->inner_y -= 2 * more;
+    if (fast->inner_x > 2 * more && fast->inner_y > 2 * more) {
+        fast->side += more;
+        fast->margin += more;
+        fast->inner_x -= 2 * more;
+        fast->inner_y -= 2 * more;
     }
 }
 
@@ -263,31 +263,31 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     const bool textured = ph_is_textured(material);
     s->r = r;
     s->draw = *draw;
-    s->usual.base = ph_at(r, draw->base);
+    s->fast.base = ph_at(r, draw->base);
     s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL &&
                   material->depth_bias_slope == 0 && r->stats.depth_format <= PH_DEPTH_FLOAT16 &&
                   (!textured || ph_texels_fit(material->texture));
-    s->usual.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
+    s->fast.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
     s->shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
-    s->fine = r->fine != 0;
-    s->takes_narrow = s->shading == PH_SHADE_TEXTURE || s->fine;
-    s->keeps_light = s->shading == PH_SHADE_GOURAUD && !s->fine;
+    s->has_samples = r->samples_log2 != 0;
+    s->takes_narrow = s->shading == PH_SHADE_TEXTURE || s->has_samples;
+    s->keeps_light = s->shading == PH_SHADE_GOURAUD && !s->has_samples;
     s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
-    s->usual.lens = s->floats ? &r->lens : NULL;
-    s->usual.side = PH_SIDE_SMALL;
-    s->usual.margin = PH_SIDE_SMALL + 256;
-    s->usual.inner_x = r->inner_x;
-    s->usual.inner_y = r->inner_y;
-    if (s->fine && !textured) {
-        widen_usual(&s->usual);
+    s->fast.lens = s->floats ? &r->lens : NULL;
+    s->fast.side = PH_SIDE_SMALL;
+    s->fast.margin = PH_SIDE_SMALL + 256;
+    s->fast.inner_x = r->inner_x;
+    s->fast.inner_y = r->inner_y;
+    if (s->has_samples && !textured) {
+        widen_fast(&s->fast);
     }
-    s->usual.material = material;
-    const bool usual =
+    s->fast.material = material;
+    const bool fast =
         s->is_small && r->inner_x > 0 && r->inner_y > 0 && (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0;
-    s->is_usual = usual && !textured;
-    s->has_usual_texels = usual && textured;
-    s->usual.bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
-                              : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
+    s->is_fast = fast && !textured;
+    s->has_fast_texels = fast && textured;
+    s->fast.bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
+                             : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
 }
 
 /* Converts the light of samples to the light of pixels. Light stays in the plane's 32 bits: one that wraps is the right
@@ -303,14 +303,14 @@ static void light_pixels(struct ph_small_triangle *small, uint32_t is_second)
 }
 
 /* The samples of a pixel get one light, where light is gentle: then a small triangle with a plane of codes becomes one
- * of PH_KIND_SMALL_FINE. False: it stays as it is. */
+ * of PH_KIND_SMALL_SAMPLES. False: it stays as it is. */
 static inline bool share_light(struct ph_triangle *t)
 {
     struct ph_small_triangle *const small = &t->as.small.rows;
     if (ph_without_sign((int32_t)small->glight) + ph_without_sign((int32_t)small->light_dy) > LIGHT_GENTLE) {
         return false;
     }
-    t->kind = PH_KIND_SMALL_FINE;
+    t->kind = PH_KIND_SMALL_SAMPLES;
     light_pixels(small, (uint32_t)t->y_top & 1);
     return true;
 }
@@ -340,21 +340,21 @@ static inline void set_light(const struct ph_setting *s, const struct ph_vertex 
 static PH_NOINLINE void set_samples_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
     if (t->y_bottom - t->y_top >= (int32_t)(PH_SIDE_SHORT / 256)) {
-        ph_setup_unusual(s, ref, PH_SMALL_SET, t);
+        ph_setup_general(s, ref, PH_SMALL_SET, t);
         return;
     }
-    set_light(s, &s->usual.base[ref->corner[0]], t);
+    set_light(s, &s->fast.base[ref->corner[0]], t);
     if (!share_light(t) && has_long_rows(&t->as.small.rows)) {
-        t->kind = PH_KIND_SMALL_WIDE;
+        t->kind = PH_KIND_SMALL_LONG;
     }
 }
 
-PH_TIER(mesh) void ph_set_usual_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+PH_TIER(mesh) void ph_set_fast_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    if (s->fine) {
+    if (s->has_samples) {
         set_samples_light(s, ref, t);
     } else {
-        set_light(s, &s->usual.base[ref->corner[0]], t);
+        set_light(s, &s->fast.base[ref->corner[0]], t);
     }
 }
 
@@ -366,24 +366,25 @@ static inline void set_texture_knee(struct ph_triangle *t, const uint32_t d[3])
 }
 
 /* Sets up a triangle that faces the viewer and covers a pixel centre. uv: those of each corner; NULL if the material
- * has no texture. done: PH_SMALL_STEEP if ph_setup_usual has set all but depth. */
+ * has no texture. done: PH_SMALL_STEEP if ph_setup_fast has set all but depth. */
 PH_TIER(mesh)
 static void setup_front(const struct ph_setting *s, const struct ph_vertex *const v[3], const fx_t *const uv[3],
                         const struct ph_sides *sides, enum ph_small_setup done, struct ph_triangle *t)
 {
     const struct ph_renderer *r = s->r;
     const bool as_small =
-        (done == PH_SMALL_STEEP && s->usual.side == PH_SIDE_SMALL) || (ph_sides_are_small(sides) && is_inside(r, v));
-    const enum reach reach = as_small ? NARROW : reach_of(s, sides, v);
-    const bool small = as_small || (r->fine != 0 && reach != FAR); /* in all shadings its depth is set up as there */
+        (done == PH_SMALL_STEEP && s->fast.side == PH_SIDE_SMALL) || (ph_sides_are_small(sides) && is_inside(r, v));
+    const enum excess excess = as_small ? NARROW : excess_of(s, sides, v);
+    const bool small =
+        as_small || (r->samples_log2 != 0 && excess != LARGE); /* in all shadings its depth is set up as there */
     uint32_t d[3];
-    if (!s->is_small || reach == FAR || (reach == WIDE && s->shading == PH_SHADE_TEXTURE)) {
+    if (!s->is_small || excess == LARGE || (excess == LONG_ROWS && s->shading == PH_SHADE_TEXTURE)) {
         setup_other(s, v, uv, sides, small, t);
         return;
     }
     t->kind = PH_KIND_SMALL;
     t->material = s->draw.material;
-    t->as.small.rows.ramp = s->usual.ramp;
+    t->as.small.rows.ramp = s->fast.ramp;
     if (!small_depths(s, v, d, &t->block)) {
         setup_other(s, v, uv, sides, false, t);
         return;
@@ -401,18 +402,18 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     if (s->shading == PH_SHADE_TEXTURE) {
         if (!ph_setup_texels(t, r, v, uv)) {
             setup_other(s, v, uv, sides, small, t);
-        } else if (PH_TEXTURE_KNEE && t->block != PH_BLOCK_NONE && t->as.small.of.map.usual) {
+        } else if (PH_TEXTURE_KNEE && t->block != PH_BLOCK_NONE && t->as.small.of.map.fast) {
             set_texture_knee(t, d);
         }
     } else {
-        if (reach == WIDE) {
-            t->kind = PH_KIND_SMALL_WIDE;
+        if (excess == LONG_ROWS) {
+            t->kind = PH_KIND_SMALL_LONG;
         } else if (t->block != PH_BLOCK_NONE) {
             t->kind = PH_KIND_SMALL_SPLIT;
             ph_set_knee(t, d);
         }
         set_light(s, v[0], t);
-        if (s->fine && t->block == PH_BLOCK_NONE && t->kind != PH_KIND_SMALL_KNEE) {
+        if (s->has_samples && t->block == PH_BLOCK_NONE && t->kind != PH_KIND_SMALL_KNEE) {
             share_light(t);
         }
     }
@@ -421,7 +422,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
 /* Sets up a triangle whose corners have their texture coordinates beside them. */
 static PH_NOINLINE void setup_corners(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    const struct ph_corner *const base = (const void *)s->usual.base;
+    const struct ph_corner *const base = (const void *)s->fast.base;
     const struct ph_vertex *v[3];
     const fx_t *uv[3];
     for (int i = 0; i < 3; i++) {
@@ -435,7 +436,7 @@ static PH_NOINLINE void setup_corners(const struct ph_setting *s, const struct p
 /* Sets up a line of samples. */
 static PH_NOINLINE void setup_samples(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    struct ph_vertex a = s->usual.base[ref->corner[0]], b = s->usual.base[ref->corner[1]];
+    struct ph_vertex a = s->fast.base[ref->corner[0]], b = s->fast.base[ref->corner[1]];
     ph_line_of_samples(&a, &b, ref->corner[2]);
     ph_setup_line(s, &a, &b, t);
 }
@@ -444,7 +445,7 @@ PH_TIER(mesh)
 static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
                                        struct ph_triangle *t)
 {
-    const struct ph_vertex *const base = s->usual.base;
+    const struct ph_vertex *const base = s->fast.base;
     if ((s->draw.kind & PH_DRAW_UVS) != 0) {
         setup_corners(s, ref, t);
         return;
@@ -457,13 +458,13 @@ static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct 
         }
         uv = of_corners;
     }
-    done = s->has_usual_texels ? ph_setup_usual(&s->usual, ref, t) : done;
-    const bool is_usual = s->has_usual_texels && done == PH_SMALL_SET;
-    if (is_usual && ph_setup_texels(t, s->r, v, uv)) {
+    done = s->has_fast_texels ? ph_setup_fast(&s->fast, ref, t) : done;
+    const bool is_fast = s->has_fast_texels && done == PH_SMALL_SET;
+    if (is_fast && ph_setup_texels(t, s->r, v, uv)) {
         return;
     }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    if (is_usual) {
+    if (is_fast) {
         setup_other(s, v, uv, &sides, true, t);
     } else {
         setup_front(s, v, uv, &sides, done, t);
@@ -471,13 +472,13 @@ static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct 
 }
 
 PH_TIER(mesh)
-void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
+void ph_setup_general(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
                       struct ph_triangle *t)
 {
-    const struct ph_vertex *const base = s->usual.base;
+    const struct ph_vertex *const base = s->fast.base;
     if ((s->draw.kind & PH_DRAW_LINES) == 0) {
         setup_triangle(s, ref, done, t);
-    } else if (s->fine) {
+    } else if (s->has_samples) {
         setup_samples(s, ref, t);
     } else {
         ph_setup_line(s, &base[ref->corner[0]], &base[ref->corner[1]], t);

@@ -9,21 +9,21 @@
 /* Prepares the set-up of a draw, whose lens is that of r. */
 void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw);
 
-/* Sets up a triangle for which ph_setup_usual has returned `done`, from the start unless that is PH_SMALL_STEEP. */
-void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
+/* Sets up a triangle for which ph_setup_fast has returned `done`, from the start unless that is PH_SMALL_STEEP. */
+void ph_setup_general(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
                       struct ph_triangle *t);
 
-/* Finishes a triangle that ph_setup_usual has set up, if its light is not what ph_setup_small has set. */
-void ph_set_usual_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t);
+/* Finishes a triangle that ph_setup_fast has set up, if its light is not what ph_setup_small has set. */
+void ph_set_fast_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t);
 
 /* Sets up a triangle of the draw. */
 static inline void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    const enum ph_small_setup done = s->is_usual ? ph_setup_usual(&s->usual, ref, t) : PH_SMALL_NO_ROW;
+    const enum ph_small_setup done = s->is_fast ? ph_setup_fast(&s->fast, ref, t) : PH_SMALL_NO_ROW;
     if (done != PH_SMALL_SET) {
-        ph_setup_unusual(s, ref, done, t);
+        ph_setup_general(s, ref, done, t);
     } else if (!s->keeps_light) {
-        ph_set_usual_light(s, ref, t);
+        ph_set_fast_light(s, ref, t);
     }
 }
 

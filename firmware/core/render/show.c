@@ -72,7 +72,7 @@ PH_TIER(mesh) int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
         config->pixel_order > PH_PIXELS_RGB888) {
         return PH_ERR_INVAL;
     }
-    const uint32_t width = (uint32_t)config->width >> r->fine, bands = ph_frame_bands(r);
+    const uint32_t width = (uint32_t)config->width >> r->samples_log2, bands = ph_frame_bands(r);
     const bool partial = config->shown != NULL && r->is_shown;
     int status = bands > 0 ? PH_OK : PH_ERR_STATE;
     for (uint32_t band = 0, y = 0, lines; band < bands && status == PH_OK; band++, y += lines) {

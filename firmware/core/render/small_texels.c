@@ -56,7 +56,7 @@ static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_tr
                                    const struct ph_texture *texture)
 {
     s->kind.triangle = t;
-    s->kind.plain = true;
+    s->kind.fast = true;
     s->kind.depth24 = false; /* small triangles are none of 24 bits */
     ph_set_texel_kind(&s->kind, &s->rows, texture, &t->as.small.of.map.light);
     s->rows.columns = MARGIN + 1 + MARGIN; /* up to 32 px to either side of the first corner */
@@ -82,7 +82,7 @@ static FX_APART void begin_smooth(struct ph_texel_run *r, const struct ph_textur
     r->v.at -= (uint32_t)1 << (15 + ph_texel_row_up(texture));
 }
 
-/* See small_texels.h. Light without a filter is the usual case of what ph_texture_small cannot draw. */
+/* See small_texels.h. Light without a filter is the most frequent case that ph_texture_small cannot draw. */
 PH_TIER(figure)
 PH_NOINLINE
 void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
@@ -96,9 +96,9 @@ void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *
     }
     begin_run(&s->run, t, below_of(t, y), texture);
     s->run.row.stride_bytes = stride_bytes;
-    s->usual = at->usual;
+    s->fast = at->fast;
     s->kind.clamp = texture->wrap == PH_WRAP_CLAMP;
-    if (s->usual) {
+    if (s->fast) {
         return;
     }
     begin_light(&s->run, t, y);
@@ -124,7 +124,7 @@ static FX_APART void draw_beyond_light(struct ph_texel_run *run, struct ph_texel
 }
 
 /* Draws the rows of a run with light or a filter. Members that ph_texel_run_rows sets stay as they are. */
-static inline __attribute__((always_inline)) uint32_t draw_special(struct ph_texel_run *run)
+static inline __attribute__((always_inline)) uint32_t draw_lit_or_smooth(struct ph_texel_run *run)
 {
     struct ph_texel_row row;
     uint32_t count = 0;
@@ -170,7 +170,7 @@ static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
         const uint32_t rows = run->row.rows;
         r->row = run->row;
         move_left(&r->row, MARGIN);
-        ph_draw_plain_rows(&s->kind, r);
+        ph_draw_fast_rows(&s->kind, r);
         run->row = r->row;
         move_left(&run->row, 0u - MARGIN);
         for (uint32_t i = 0; i < rows; i++) {
@@ -181,14 +181,14 @@ static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
     return r->count;
 }
 
-PH_TIER(figure) static PH_NOINLINE uint32_t draw_unusual(struct ph_small_texels *s)
+PH_TIER(figure) static PH_NOINLINE uint32_t draw_general(struct ph_small_texels *s)
 {
-    return s->kind.clamp ? draw_clamped(s) : draw_special(&s->run);
+    return s->kind.clamp ? draw_clamped(s) : draw_lit_or_smooth(&s->run);
 }
 
 PH_TIER(scenery) static uint32_t draw_run_of(struct ph_small_texels *s)
 {
-    return s->usual ? ph_texture_small(&s->run) : draw_unusual(s);
+    return s->fast ? ph_texture_small(&s->run) : draw_general(s);
 }
 
 PH_TIER(mesh) uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
@@ -200,8 +200,8 @@ PH_TIER(mesh) uint32_t ph_draw_small_texels(const struct ph_triangle *t, const s
     const uint32_t at = (uint32_t)(y - band->y0) * band->stride + x;
     struct ph_small_texels texels;
     struct ph_texel_run *const r = &texels.run;
-    const bool usual = t->as.small.of.map.usual;
-    if (usual) {
+    const bool fast = t->as.small.of.map.fast;
+    if (fast) {
         begin_run(r, t, below_of(t, y), t->material->texture);
         r->row.stride_bytes = 2 * (uint32_t)band->stride;
     } else {
@@ -233,7 +233,7 @@ PH_TIER(mesh) uint32_t ph_draw_small_texels(const struct ph_triangle *t, const s
     if (PH_TEXTURE_KNEE && t->kind == PH_KIND_SMALL_TEXTURE_KNEE) {
         return ph_texture_knee(r, s->knee);
     }
-    return usual ? ph_texture_small(r) : draw_unusual(&texels);
+    return fast ? ph_texture_small(r) : draw_general(&texels);
 }
 
 PH_TIER(scenery)

@@ -9,7 +9,7 @@
 /* The rows of a small textured triangle. */
 struct ph_small_texels {
     struct ph_texel_run run;
-    bool usual;               /* ph_texture_small can draw them, from run; else rows and kind are taken */
+    bool fast;                /* ph_texture_small can draw them, from run; else rows and kind are taken */
     struct ph_tile_rows rows; /* u, v stand at the next row, as in run */
     struct ph_tile_kind kind;
 };

@@ -55,7 +55,7 @@ static inline uint32_t light_of(uint32_t light)
 }
 
 /* The texel at u, v in its light, or filtered. */
-static PH_NOINLINE uint16_t sample_special(const struct ph_tile_kind *k, uint32_t u, uint32_t v, uint32_t light)
+static PH_NOINLINE uint16_t sample_lit_or_smooth(const struct ph_tile_kind *k, uint32_t u, uint32_t v, uint32_t light)
 {
     const uint16_t texel =
         k->smooth ? sample_smooth(k, u, v) : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
@@ -69,7 +69,7 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
     const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
     uint32_t u = ph_texel_at(&r->u, i), du = r->u.step + i * ddu + r->u.bend;
     uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend;
-    const bool special = k->lit || k->smooth;
+    const bool lit_or_smooth = k->lit || k->smooth;
     const struct ph_depth *const plane = &k->triangle->as.large.depth;
     uint16_t *pixel = r->row.pixels + i;
     void *depth = ph_depth_from(r->row.depth, i, depth24);
@@ -77,8 +77,10 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
         const uint32_t d =
             k->triangle->block == PH_BLOCK_LINEAR ? ph_depth_linear(&plane->over_w.linear, piece.d) : piece.d;
         if (depth24 ? ph_nearer24(depth, d) : ph_nearer16(depth, d)) {
-            *pixel = special ? sample_special(k, u, v, r->row.light + (uint32_t)(pixel - r->row.pixels) * r->row.glight)
-                             : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
+            *pixel =
+                lit_or_smooth
+                    ? sample_lit_or_smooth(k, u, v, r->row.light + (uint32_t)(pixel - r->row.pixels) * r->row.glight)
+                    : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
         }
         depth = ph_depth_from(depth, 1, depth24);
         pixel++;
@@ -147,7 +149,7 @@ PH_TIER(few) void ph_draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph
 /* ---- rows with depth in codes, of a texture of up to 65,536 texels ---- */
 
 /* A row before it is handed to a kernel. */
-struct rare_row {
+struct general_row {
     struct ph_texel_row texels;
     struct ph_texel_way u, v;
 };
@@ -256,11 +258,11 @@ void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, u
 }
 
 /* Draws the next row, which is lit or filtered, or leaves a clamped texture. */
-PH_TIER(scenery) static void draw_rare_row(const struct ph_tile_kind *k, struct ph_tile_rows *r)
+PH_TIER(scenery) static void draw_general_row(const struct ph_tile_kind *k, struct ph_tile_rows *r)
 {
     const struct border u_border = {r->u_outside, k->smooth ? (uint32_t)1 << k->u_down : 0};
     const struct border v_border = {r->v_outside, k->smooth ? (uint32_t)1 << k->v_down : 0};
-    struct rare_row row;
+    struct general_row row;
     uint32_t i, left, n;
     if (!ph_tile_columns(r->row.left, r->row.right, r->columns, &i, &left)) {
         return;
@@ -293,14 +295,14 @@ PH_TIER(scenery) static void draw_rare_row(const struct ph_tile_kind *k, struct 
 }
 
 /* ph_texture_tile stops before a row that leaves a clamped texture. */
-PH_TIER(scenery) void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_tile_rows *r)
+PH_TIER(scenery) void ph_draw_fast_rows(const struct ph_tile_kind *k, struct ph_tile_rows *r)
 {
     while (r->row.rows > 0) {
         if (!k->lit && !k->smooth) {
             ph_texture_tile(r);
         }
         if (r->row.rows > 0) {
-            draw_rare_row(k, r);
+            draw_general_row(k, r);
             row_down(k, r);
         }
     }

@@ -17,7 +17,7 @@ struct ph_tile_kind {
     bool smooth;        /* bilinear */
     bool clamp;
     bool depth24;      /* as in struct ph_band */
-    bool plain;        /* ph_texture_tile can draw them */
+    bool fast;         /* ph_texture_tile can draw them */
     int32_t from, end; /* columns of the picture, as the tile's columns count */
 };
 
@@ -27,8 +27,8 @@ static inline bool ph_is_lit(const struct ph_texel_light *light)
     return light->shaded || light->light != 32;
 }
 
-/* Sets how texels of that map are drawn; k->triangle, k->clamp and k->plain are set already. k->u_down and k->v_down
- * are set for k->plain. */
+/* Sets how texels of that map are drawn; k->triangle, k->clamp and k->fast are set already. k->u_down and k->v_down
+ * are set for k->fast. */
 static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_tile_rows *r, const struct ph_texture *map,
                                      const struct ph_texel_light *light)
 {
@@ -39,7 +39,7 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_tile_rows
     k->log2_width = map->log2_width;
     k->lit = ph_is_lit(light);
     k->smooth = light->smooth;
-    if (k->plain) {
+    if (k->fast) {
         k->u_down = 22;
         k->v_down = 16 + ph_texel_row_up(map);
     }
@@ -52,7 +52,7 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_tile_rows
 void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, uint32_t light, uint32_t glight);
 
 /* Draws rows whose depth is in codes, of a texture of up to 65,536 texels. */
-void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_tile_rows *r);
+void ph_draw_fast_rows(const struct ph_tile_kind *k, struct ph_tile_rows *r);
 
 /* Draws rows whose depth may have several pieces each. r->row.d and r->row.gd are in units of the triangle's plane.
  * Pieces begin with the triangle's row, as in all other shadings, not with the tile. */

@@ -189,7 +189,7 @@ PH_TIER(mesh) static void shrink(struct ph_plane *way, struct ph_curve *curve, i
 }
 
 /* Sets light, filter and level of a triangle; u and v are those of the first level. */
-static FX_APART void set_unusual(struct ph_triangle *t, const struct frame *f, const struct ph_vertex *const v[3])
+static FX_APART void set_general(struct ph_triangle *t, const struct frame *f, const struct ph_vertex *const v[3])
 {
     struct ph_small_map *const map = &t->as.small.of.map;
     const struct ph_texture *const texture = t->material->texture;
@@ -243,9 +243,9 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const s
     map->level = 0;
     map->light = ph_texture_light(t->material, v[0]);
     const bool nearest = !map->light.shaded && !map->light.smooth;
-    map->usual = nearest && map->light.light == 32 && texture->wrap == PH_WRAP_REPEAT;
+    map->fast = nearest && map->light.light == 32 && texture->wrap == PH_WRAP_REPEAT;
     if (!nearest) {
-        set_unusual(t, &f, v);
+        set_general(t, &f, v);
     }
     t->kind = PH_KIND_SMALL_TEXTURE;
     return true;

@@ -82,8 +82,8 @@ static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile
     const int width = map->log2_width, height = map->log2_height, range = t->as.large.of.map.range_log2;
     k->from = -(int32_t)tile->x;
     k->clamp = map->wrap == PH_WRAP_CLAMP && !is_inside(t, map, s);
-    k->plain = !k->depth24 && t->block != PH_BLOCK_LINEAR && width + height <= 16 &&
-               (!k->clamp || ph_fits_clamped(map, range));
+    k->fast = !k->depth24 && t->block != PH_BLOCK_LINEAR && width + height <= 16 &&
+              (!k->clamp || ph_fits_clamped(map, range));
     k->u_down = 29 - range - width;
     k->v_down = 29 - range - height;
     ph_set_texel_kind(k, r, map, &t->as.large.of.map.light);
@@ -116,9 +116,9 @@ static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, 
     r->row.right = (uint32_t)in.right.x - (tile->x << 16);
     r->row.right_dx = (uint32_t)in.right.dx;
     r->row.rows = (uint32_t)(in.y_end - in.y);
-    if (k->plain && t->block == PH_BLOCK_NONE) {
-        ph_draw_plain_rows(k, r);
-    } else if (k->plain && ((plane->base | plane->gx | plane->gy) & 7) == 0 && ph_tile_octaves(t, tile, &depth)) {
+    if (k->fast && t->block == PH_BLOCK_NONE) {
+        ph_draw_fast_rows(k, r);
+    } else if (k->fast && ((plane->base | plane->gx | plane->gy) & 7) == 0 && ph_tile_octaves(t, tile, &depth)) {
         ph_draw_rows_in_octaves(k, r, &depth, row);
     } else {
         ph_draw_rows_in_pieces(k, r);

@@ -54,7 +54,7 @@ static void draw_rows_in_octave(const struct ph_tile_kind *k, struct ph_tile_row
     r->row.d = ph_depth_float16_value(depth->d, octave->up) + octave->offset +
                row * r->row.d_dy; /* no bit is lost: round_depth */
     r->row.gd = octave->slope;
-    ph_draw_plain_rows(k, r);
+    ph_draw_fast_rows(k, r);
     r->row.d = d + rows * depth->d_dy;
     r->row.gd = gd;
     r->row.d_dy = depth->d_dy;

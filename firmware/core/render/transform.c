@@ -117,7 +117,7 @@ void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, c
 }
 
 /* 4096.0: ph_vertices does not take vertices from this distance on. */
-#define USUAL_W ((uint32_t)1 << 28)
+#define FAST_W ((uint32_t)1 << 28)
 
 /* A centre with half a unit added, so that the shift down rounds: see struct ph_vertex_run. */
 PH_TIER(mesh) static int64_t rounded_centre(int32_t centre, int down)
@@ -134,11 +134,11 @@ static bool start_run(struct ph_vertex_run *run, const struct ph_renderer *r, co
     const uint32_t near = (uint32_t)lens->near_z, far = (uint32_t)lens->far_z;
     const int down = 17 - lens->focal_log2;
     ph_matvec_prepare(&run->matvec, m);
-    if (lens->kind != PH_PERSPECTIVE || near >= USUAL_W || down < 1 || run->matvec.reach == 0) {
+    if (lens->kind != PH_PERSPECTIVE || near >= FAST_W || down < 1 || run->matvec.range == 0) {
         return false;
     }
     run->near = near;
-    run->range = (far < USUAL_W ? far : USUAL_W - 1) - near;
+    run->range = (far < FAST_W ? far : FAST_W - 1) - near;
     run->round_x = rounded_centre(lens->centre_x, down);
     run->round_y = rounded_centre(lens->centre_y, down);
     run->depth_scale = lens->depth_scale;
@@ -167,16 +167,16 @@ struct part_of_mesh {
     uint32_t codes;
 };
 
-/* The place of the next vertex in clip coordinates. usual: ph_vertices has stopped at it, and has computed its
+/* The place of the next vertex in clip coordinates. fast: ph_vertices has stopped at it, and has computed its
  * place. */
 PH_TIER(scenery)
 static PH_NOINLINE struct fx_vec3 before_divide(const struct ph_vertex_run *run, const struct ph_clip_matrix *m,
-                                                bool usual)
+                                                bool fast)
 {
     if (!ph_matvec_in_range(&run->matvec, run->from)) {
         return ph_matrix_mul(m, run->from);
     }
-    return usual ? run->at : ph_matvec_near(&run->matvec, run->from);
+    return fast ? run->at : ph_matvec_near(&run->matvec, run->from);
 }
 
 PH_TIER(mesh) static void transform_part(void *argument) /* called as run */
@@ -189,15 +189,15 @@ PH_TIER(mesh) static void transform_part(void *argument) /* called as run */
     run.end = p->end;
     run.to = p->to;
     run.codes = 0;
-    const bool usual = start_run(&run, r, m);
+    const bool fast = start_run(&run, r, m);
     while (run.from < run.end) {
-        if (usual) {
+        if (fast) {
             ph_vertices(&run);
             if (run.from == run.end) {
                 break;
             }
         }
-        const struct fx_vec3 at = before_divide(&run, m, usual);
+        const struct fx_vec3 at = before_divide(&run, m, fast);
         place_vertex(r, at.x, at.y, at.z, run.to);
         run.to->light = PH_LIGHT_ZERO + PH_LIGHT_SPAN; /* kept by meshes that are not lit */
         run.codes |= run.to->code;

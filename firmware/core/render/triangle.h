@@ -21,7 +21,7 @@ struct ph_line {
     int32_t across,
         slope;            /* 16.16: its place across the axis at the centre of the next pixel, and the change a pixel */
     int16_t along, count; /* column or row of the next pixel; pixels left */
-    int16_t step, wide;   /* of `along`: 1 or -1; whether x is the longer axis, else y */
+    int16_t step, x_major; /* of `along`: 1 or -1; whether x is the longer axis, else y */
 };
 
 /* A value that is linear on the screen: at the centre of pixel (0, 0), modulo 2^32, and per pixel right and down. */
@@ -116,9 +116,9 @@ enum ph_kind {
     PH_KIND_TEXTURE,
     PH_KIND_SMALL,
     PH_KIND_SMALL_KNEE,
-    PH_KIND_SMALL_FINE,  /* of samples: all four of a pixel have one light; depth is a plane of codes */
-    PH_KIND_SMALL_SPLIT, /* depth crosses octaves; with PH_KIND_SMALL and PH_KIND_SMALL_KNEE it is a plane of codes */
-    PH_KIND_SMALL_WIDE,  /* of samples: its rows are up to twice as long; depth may cross octaves */
+    PH_KIND_SMALL_SAMPLES, /* of samples: all four of a pixel have one light; depth is a plane of codes */
+    PH_KIND_SMALL_SPLIT,   /* depth crosses octaves; with PH_KIND_SMALL and PH_KIND_SMALL_KNEE it is a plane of codes */
+    PH_KIND_SMALL_LONG,    /* of samples: its rows are up to twice as long; depth may cross octaves */
     PH_KIND_SMALL_TEXTURE,
     PH_KIND_SMALL_TEXTURE_KNEE, /* only if PH_TEXTURE_KNEE */
     PH_KIND_COLOURS,
@@ -136,7 +136,7 @@ struct ph_texel_light {
 struct ph_small_map {
     int16_t x;
     int8_t y;
-    bool usual; /* ph_texture_small can draw it */
+    bool fast; /* ph_texture_small can draw it */
     struct ph_texel_light light;
     uint8_t level;        /* of the map */
     struct ph_plane u, v; /* the linear part */

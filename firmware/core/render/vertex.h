@@ -28,7 +28,7 @@ enum {
 
 /* A projected vertex is at most so far from the picture's corner, 1/256 px: the guard band ends 2048 px from a centre
  * that is at most 1536 px away. Twice a triangle's area is then below 2^42, also if it is half a line, 1 px wide. */
-#define PH_REACH (4095 * 256)
+#define PH_GUARD_MAX (4095 * 256)
 
 /* A vertex after the transform. It takes 16 bytes, so that an index becomes an address by a shift. */
 struct ph_vertex {

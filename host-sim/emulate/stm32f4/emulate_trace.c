@@ -61,7 +61,7 @@ static int show(void *context, uint32_t frame, const uint8_t *rgb)
 }
 
 /* Tells the first complaint, which ends the run. */
-static void resent(void *context, const char *complaint)
+static void reject(void *context, const char *complaint)
 {
     const struct trace *t = context;
     if (wire_replay_complaints(t->wire) == 1) {
@@ -206,7 +206,7 @@ int emulate_trace(const struct emulation *e)
                                        .rotation = e->board->rotation,
                                        .context = &t,
                                        .frame = show,
-                                       .resent = resent};
+                                       .reject = reject};
     t.picture = (struct ppm){width, height, malloc((size_t)width * height * 3)};
     t.wire = wire_replay_open(&config);
     if (emulate_registers_open(&t.registers, &stm32f4_registers) != 0 || t.picture.rgb == NULL || t.wire == NULL) {

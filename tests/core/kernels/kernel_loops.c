@@ -188,7 +188,7 @@ static uint32_t whole_words(const struct ph_small_triangle *small, uint16_t *to_
     if (r.upper_rows == 1) {
         *(r.lower_is_right ? &r.right_dx : &r.left_dx) = bits();
     }
-    return ph_fine_gouraud(&r, to_depth - odd, to_pixels - pixels_odd, stride_bytes & ~3u);
+    return ph_samples_gouraud(&r, to_depth - odd, to_pixels - pixels_odd, stride_bytes & ~3u);
 }
 
 /* Rows of up to 64 samples. */
@@ -202,7 +202,7 @@ static uint32_t whole_words_wider(const struct ph_small_triangle *small, uint16_
     return whole_words(&r, to_depth, to_pixels, stride_bytes);
 }
 
-static uint32_t try_fine(uint32_t h)
+static uint32_t try_samples(uint32_t h)
 {
     return try_small(h, below(4) > 0 ? whole_words : whole_words_wider);
 }
@@ -231,7 +231,7 @@ static uint32_t hash_small(uint32_t h, const struct ph_triangle *t)
 }
 
 /* A reference to a triangle that is mostly small, within a picture, and in one octave of depth or in fixed16. */
-static uint32_t try_setup_usual(uint32_t h)
+static uint32_t try_setup_fast(uint32_t h)
 {
     const struct ph_lens lens = {.far_q = (uint32_t)1 << 30 | bits() >> 2, .far_s = 8, .float_down = 3};
     const uint32_t size = below(4) > 0   ? 5000
@@ -251,25 +251,25 @@ static uint32_t try_setup_usual(uint32_t h)
     }
     const struct ph_material material = {.shading = PH_SHADE_GOURAUD};
     const uint32_t side = below(3) > 0 ? PH_SIDE_SMALL : PH_SIDE_SHORT;
-    const struct ph_usual usual = {.base = corner,
-                                   .margin = side + 256,
-                                   .side = side,
-                                   .lens = fixed ? NULL : &lens,
-                                   .inner_x = 20000,
-                                   .inner_y = 1000 + below(20000),
-                                   .bias = below(1 << 20),
-                                   .ramp = below(4) > 0 ? ramp : NULL,
-                                   .material = &material};
+    const struct ph_fast fast = {.base = corner,
+                                 .margin = side + 256,
+                                 .side = side,
+                                 .lens = fixed ? NULL : &lens,
+                                 .inner_x = 20000,
+                                 .inner_y = 1000 + below(20000),
+                                 .bias = below(1 << 20),
+                                 .ramp = below(4) > 0 ? ramp : NULL,
+                                 .material = &material};
     const uint16_t first = (uint16_t)below(2), second = (uint16_t)(first + 1);
     const struct ph_sides sides = sides_of(&corner[first], &corner[second], &corner[3]);
     const struct ph_ref ref = {{first, sides.area > 0 ? second : 3, sides.area > 0 ? 3 : second}, 0};
     struct ph_triangle t;
     memset(&t, 0, sizeof t);
-    if (sides.area == 0 || ph_setup_usual(&usual, &ref, &t) != PH_SMALL_SET) {
+    if (sides.area == 0 || ph_setup_fast(&fast, &ref, &t) != PH_SMALL_SET) {
         return word(h, 0);
     }
     h = word(h, t.kind == PH_KIND_SMALL && t.block == PH_BLOCK_NONE && t.material == &material &&
-                    t.as.small.rows.ramp == usual.ramp);
+                    t.as.small.rows.ramp == fast.ramp);
     return hash_small(h, &t);
 }
 
@@ -277,7 +277,7 @@ static uint32_t try_setup_usual(uint32_t h)
 static uint32_t try_setup_small(uint32_t h)
 {
     if (below(3) == 0) {
-        return try_setup_usual(h);
+        return try_setup_fast(h);
     }
     const uint32_t size = below(3) > 0 ? 2 * PH_SIDE_SMALL : below(2) > 0 ? 600 : 40, flat = below(4) > 0 ? 0 : 7;
     struct ph_vertex corner[3];
@@ -321,7 +321,7 @@ static uint32_t try_float(uint32_t h)
 }
 
 /* Rows that may begin and end outside of the picture. */
-static uint32_t try_wide(uint32_t h)
+static uint32_t try_long(uint32_t h)
 {
     struct ph_small_triangle r = {.ramp = ramp};
     const uint32_t log2 = 18 + below(10);
@@ -335,15 +335,15 @@ static uint32_t try_wide(uint32_t h)
     r.light_dy = bits() >> 8;
     r.gd = below(1 << 22);
     r.glight = bits() >> 6;
-    r.upper_rows = (uint16_t)(1 + below(PH_WIDE_ROWS));
+    r.upper_rows = (uint16_t)(1 + below(PH_LONG_ROWS));
     if (below(2) > 0) { /* a lower edge takes over */
-        r.lower_rows = (uint16_t)below(PH_WIDE_ROWS + 1 - r.upper_rows);
+        r.lower_rows = (uint16_t)below(PH_LONG_ROWS + 1 - r.upper_rows);
         r.lower_is_right = below(2);
         r.lower.x = (int32_t)(below((uint32_t)1 << log2) - ((uint32_t)1 << log2 >> 1));
         r.lower.dx = (int32_t)(below(1 << 20) - (1 << 19));
     }
     const uint32_t at = below(16), pixels_at = below(16);
-    return word(h, ph_wide_gouraud(&r, depth + at, pixels + pixels_at, 2 * (40 + below(60))));
+    return word(h, ph_long_gouraud(&r, depth + at, pixels + pixels_at, 2 * (40 + below(60))));
 }
 
 static uint32_t spread(int log2)
@@ -627,8 +627,8 @@ int main(void)
                  {"halve", try_halve},
                  {"small_gouraud", try_rows},
                  {"small_knee", try_knee},
-                 {"fine_gouraud", try_fine},
-                 {"wide_gouraud", try_wide},
+                 {"samples_gouraud", try_samples},
+                 {"long_gouraud", try_long},
                  {"setup_small", try_setup_small},
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},

@@ -90,13 +90,13 @@
     bhs none
     cmp r3, #0
     bne coded
-plain:
+no_codes:
     corners 6
     turn
-    bne plain
+    bne no_codes
     b none
 1:  turn_high
-    bne plain
+    bne no_codes
     b none
 coded:
     corners 6
@@ -208,7 +208,7 @@ next:
     bne 4f
     cmp r1, r8
     beq none
-    b plain
+    b no_codes
 4:  cmp r1, r8
     beq none
     b coded

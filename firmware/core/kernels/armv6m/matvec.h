@@ -8,7 +8,7 @@
 
 #include "transform.h"
 
-#define PH_MATVEC_REACH ((uint32_t)1 << 20)
+#define PH_MATVEC_RANGE ((uint32_t)1 << 20)
 
 struct ph_row {
     /* An element is low + 2^10 middle + 2^20 high; low, middle: -512 .. 511. The translation is whole + 2^-28 part. */
@@ -21,8 +21,8 @@ struct ph_short_row {
 };
 
 struct ph_matvec {
-    uint32_t reach;       /* three digits serve -reach .. reach: 2^20, or 0 if the translation is near its range */
-    uint32_t short_reach; /* two digits serve so far: 2^16, or 0 if the elements of a row are too large */
+    uint32_t range;       /* three digits serve -range .. range: 2^20, or 0 if the translation is near its range */
+    uint32_t short_range; /* two digits serve so far: 2^16, or 0 if the elements of a row are too large */
     struct ph_short_row short_row[3];
     struct ph_row row[3];
 };
@@ -43,8 +43,8 @@ static inline uint32_t ph_short_row_of(struct ph_short_row *row, const int32_t m
 
 static inline void ph_matvec_prepare(struct ph_matvec *matvec, const struct ph_clip_matrix *matrix)
 {
-    matvec->reach = PH_MATVEC_REACH;
-    matvec->short_reach = (uint32_t)1 << 16;
+    matvec->range = PH_MATVEC_RANGE;
+    matvec->short_range = (uint32_t)1 << 16;
     for (int i = 0; i < 3; i++) {
         struct ph_row *row = &matvec->row[i];
         for (int j = 0; j < 3; j++) {
@@ -56,10 +56,10 @@ static inline void ph_matvec_prepare(struct ph_matvec *matvec, const struct ph_c
         row->whole = (int32_t)(matrix->t[i] >> 28);
         row->part = (int32_t)(matrix->t[i] & ((1 << 28) - 1));
         if (fx_magnitude(row->whole) >> 30 != 0) {
-            matvec->reach = 0;
+            matvec->range = 0;
         }
         if (ph_short_row_of(&matvec->short_row[i], matrix->m[i], matrix->t[i]) >= ((uint32_t)1 << 29) - (1 << 17)) {
-            matvec->short_reach = 0;
+            matvec->short_range = 0;
         }
     }
 }
@@ -80,20 +80,20 @@ PH_TIER(mesh) static inline int32_t ph_row_of_two(const struct ph_short_row *row
     return (sum >> 14) + row->whole;
 }
 
-static inline bool ph_is_within(const struct fx_vec3 *p, uint32_t reach)
+static inline bool ph_is_within(const struct fx_vec3 *p, uint32_t range)
 {
-    return (((uint32_t)p->x + reach) | ((uint32_t)p->y + reach) | ((uint32_t)p->z + reach)) < 2 * reach;
+    return (((uint32_t)p->x + range) | ((uint32_t)p->y + range) | ((uint32_t)p->z + range)) < 2 * range;
 }
 
 static inline bool ph_matvec_in_range(const struct ph_matvec *matvec, const struct fx_vec3 *p)
 {
-    return ph_is_within(p, matvec->reach);
+    return ph_is_within(p, matvec->range);
 }
 
 static inline struct fx_vec3 ph_matvec_near(const struct ph_matvec *matvec, const struct fx_vec3 *p)
 {
     const int32_t x = p->x, y = p->y, z = p->z;
-    if (ph_is_within(p, matvec->short_reach)) {
+    if (ph_is_within(p, matvec->short_range)) {
         return (struct fx_vec3){ph_row_of_two(&matvec->short_row[0], x, y, z),
                                 ph_row_of_two(&matvec->short_row[1], x, y, z),
                                 ph_row_of_two(&matvec->short_row[2], x, y, z)};

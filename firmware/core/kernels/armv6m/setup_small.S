@@ -1,4 +1,4 @@
-@ ph_setup_small and ph_setup_usual of kernels.h for ARMv6-M. A triangle takes some 370 instructions, and some 130 more
+@ ph_setup_small and ph_setup_fast of kernels.h for ARMv6-M. A triangle takes some 370 instructions, and some 130 more
 @ from its reference on.
 #include "../thumb.inc"
 #include "../offsets.inc"
@@ -7,7 +7,7 @@
     .equ corners, 4 @ on the stack
     .equ sides, 8
     .equ depths, 12
-    .equ own_corners, triangle_slopes @ in the triangle: ph_setup_usual keeps what ph_setup_small takes
+    .equ own_corners, triangle_slopes @ in the triangle: ph_setup_fast keeps what ph_setup_small takes
     .equ own_sides, triangle_slopes + 12
     .equ own_depths, triangle_slopes + 32
 
@@ -58,19 +58,19 @@
     str r0, [r2, #triangle_left_dx + 4]
     .endm
 
-    section_of ph_setup_usual, loop
+    section_of ph_setup_fast, loop
     .p2align 2
     .thumb_func
-apart: @ part of ph_setup_usual: the corners have other exponents
+apart: @ part of ph_setup_fast: the corners have other exponents
     mov r0, r10
     movs r1, r5
-    ldr r2, [r0, #usual_bias]
-    ldr r0, [r0, #usual_lens]
+    ldr r2, [r0, #fast_bias]
+    ldr r0, [r0, #fast_lens]
     movs r3, r5
     adds r3, #own_depths - own_corners
     bl ph_float_depths
     cmp r0, #0
-    beq unusual
+    beq general
     mov r2, r11
     movs r5, r2
     adds r5, #own_depths + 12
@@ -82,15 +82,15 @@ below_24: @ the depth of the first corner is below 2^24
     adds r5, #8
     b leading
 1:  lsrs r5, r1, #8
-    beq unusual
+    beq general
     ldrb r5, [r7, r5]
     adds r5, #16
     b leading
-unusual:
+general:
     movs r0, #0
     restore_and_return
 
-    function ph_setup_usual, loop @ r0: struct ph_usual, r1: struct ph_ref, r2: struct ph_triangle
+    function ph_setup_fast, loop @ r0: struct ph_fast, r1: struct ph_ref, r2: struct ph_triangle
     save_registers
     mov r10, r0
     mov r11, r2
@@ -124,7 +124,7 @@ inside:
     subs r6, r0, r6
     subs r7, r5, r7
     mov r0, r10
-    ldr r0, [r0, #usual_side]
+    ldr r0, [r0, #fast_side]
     adds r3, r1, r0
     adds r4, r2, r0
     orrs r3, r4
@@ -137,7 +137,7 @@ inside:
     orrs r3, r4
     lsls r0, r0, #1
     cmp r3, r0
-    bhs unusual
+    bhs general
     movs r3, r6
     muls r3, r2
     movs r4, r1
@@ -152,7 +152,7 @@ inside:
     ldmia r5!, {r1-r3}
     subs r5, #12
     mov r0, r10
-    ldr r0, [r0, #usual_lens]
+    ldr r0, [r0, #fast_lens]
     cmp r0, #0
     beq fixed
     ldrb r4, [r1, #vertex_s]
@@ -170,11 +170,11 @@ inside:
     ldr r2, [r2, #vertex_q]
     ldr r3, [r3, #vertex_q]
     subs r1, r1, r6
-    bls unusual
+    bls general
     subs r2, r2, r6
-    bls unusual
+    bls general
     subs r3, r3, r6
-    bls unusual
+    bls general
     ldr r7, =fx_clz_table
     lsrs r5, r1, #24
     beq below_24
@@ -188,19 +188,19 @@ leading:
     movs r7, #31
     subs r7, r7, r5
     lsrs r6, r7
-    bne unusual
+    bne general
     adds r4, r4, r5
     ldrh r7, [r0, #lens_far_s]
     lsrs r7, r7, #8
     movs r6, r4
     lsrs r6, r7
     cmp r6, #2
-    bhs unusual
+    bhs general
     movs r6, #31
     subs r6, r6, r7
     lsls r4, r6
     mov r0, r10
-    ldr r6, [r0, #usual_bias]
+    ldr r6, [r0, #fast_bias]
     subs r6, r6, r4
     lsls r1, r5
     lsls r2, r5
@@ -217,8 +217,8 @@ leading:
 known:
     mov r3, r10
     mov r0, r11
-    ldr r1, [r3, #usual_material]
-    ldr r2, [r3, #usual_ramp]
+    ldr r1, [r3, #fast_material]
+    ldr r2, [r3, #fast_ramp]
     str r1, [r0, #triangle_material]
     str r2, [r0, #triangle_ramp]
     movs r1, #0xfc
@@ -233,9 +233,9 @@ known:
     b begin
 border: @ do all corners keep a pixel away from the borders?
     mov r0, r10
-    ldr r2, [r0, #usual_inner_x]
-    ldr r3, [r0, #usual_inner_y]
-    ldr r1, [r0, #usual_side]
+    ldr r2, [r0, #fast_inner_x]
+    ldr r3, [r0, #fast_inner_y]
+    ldr r1, [r0, #fast_side]
     lsls r1, r1, #1 @ two sides
     adds r2, r2, r1
     adds r3, r3, r1
@@ -259,10 +259,10 @@ border: @ do all corners keep a pixel away from the borders?
     cmp r0, r1
     bne 1b
     b inside
-2:  b unusual
+2:  b general
 fixed: @ depth in fixed16; the one shift that is too long, as it is below zero, gives 0
     mov r0, r10
-    ldr r6, [r0, #usual_bias]
+    ldr r6, [r0, #fast_bias]
     movs r0, #3
 1:  ldmia r5!, {r4}
     ldr r1, [r4, #vertex_q]
@@ -283,8 +283,8 @@ fixed: @ depth in fixed16; the one shift that is too long, as it is below zero, 
     eors r3, r1
     orrs r2, r3
     bpl known
-    b unusual
-    .size ph_setup_usual, . - ph_setup_usual
+    b general
+    .size ph_setup_fast, . - ph_setup_fast
 
     .p2align 2
     .ltorg

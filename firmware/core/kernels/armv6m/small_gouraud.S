@@ -1,8 +1,8 @@
 @ ph_small_gouraud of kernels.h for ARMv6-M; small_knee.S makes ph_small_knee of it,
-@ wide_gouraud.S ph_wide_gouraud. A row takes 35 instructions, a pixel that is drawn 11, a hidden one 6, a
-@ call some 40. After the first 1 to 16 pixels a wide row takes 36 instructions for every 4 that are still empty.
+@ long_gouraud.S ph_long_gouraud. A row takes 35 instructions, a pixel that is drawn 11, a hidden one 6, a
+@ call some 40. After the first 1 to 16 pixels a long row takes 36 instructions for every 4 that are still empty.
 @
-@ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0; wide: twice the blocks of
+@ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0; long rows: twice the blocks of
 @ 16 pixels that are left, plus 1 if a single pixel follows; r8 gd, r9 glight,
 @ r10 left, r11 right, r12 d at column 0, lr light at column 0.
 #include "../thumb.inc"
@@ -20,7 +20,7 @@
     .equ triangle, 32   @ 0 when the lower edge has taken over
     .equ to_pixels, 36  @ from depth
     .equ knee, 40
-    .equ base, 40 @ column 0 of a wide row
+    .equ base, 40 @ column 0 of a long row
     .ifdef with_knee
     .equ frame, 44
     .else
@@ -91,7 +91,7 @@
     .else
     .equ pixel_bytes, 22
     .ifdef with_blocks
-    function ph_wide_gouraud, scenery
+    function ph_long_gouraud, scenery
     .else
     function ph_small_gouraud, loop
     .endif
@@ -274,7 +274,7 @@ row:
     .size ph_small_knee, . - ph_small_knee
     .else
     .ifdef with_blocks
-    .size ph_wide_gouraud, . - ph_wide_gouraud
+    .size ph_long_gouraud, . - ph_long_gouraud
     .else
     .size ph_small_gouraud, . - ph_small_gouraud
     .endif

@@ -108,7 +108,7 @@ next:
     mov r3, r8
     ldmia r3!, {r0-r2} @ x y z
     mov r8, r3
-    ldr r4, [r7, #run_short_reach]
+    ldr r4, [r7, #run_short_range]
     adds r5, r0, r4
     adds r6, r1, r4
     orrs r5, r6

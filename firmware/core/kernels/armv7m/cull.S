@@ -49,12 +49,12 @@
     bhs none
     cmp r3, #0
     bne coded
-plain:
+no_codes:
     corners
     turn
     bmi found
     cmp r1, r2
-    bne plain
+    bne no_codes
     b none
 coded:
     corners
@@ -132,6 +132,6 @@ next:
     cmp r1, r2
     beq none
     cmp r6, #0
-    beq plain
+    beq no_codes
     b coded
     .size ph_cull, . - ph_cull

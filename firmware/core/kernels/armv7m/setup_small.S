@@ -1,11 +1,11 @@
-@ ph_setup_small and ph_setup_usual of kernels.h for ARMv7-M. A triangle takes some 185 instructions, and some 95 more
+@ ph_setup_small and ph_setup_fast of kernels.h for ARMv7-M. A triangle takes some 185 instructions, and some 95 more
 @ from its reference on.
 #include "../thumb.inc"
 #include "../offsets.inc"
 
     .equ corners, 4 @ on the stack
     .equ depths, 12
-    .equ own_corners, triangle_slopes @ in the triangle: ph_setup_usual keeps what ph_setup_small takes
+    .equ own_corners, triangle_slopes @ in the triangle: ph_setup_fast keeps what ph_setup_small takes
     .equ own_sides, triangle_slopes + 12
     .equ own_depths, triangle_slopes + 32
 
@@ -71,10 +71,10 @@
     itt ls
     subls r8, \y, #256
     cmpls r8, r10
-    bhi unusual
+    bhi general
     .endm
 
-    function ph_setup_usual, loop @ r0: struct ph_usual, r1: struct ph_ref, r2: struct ph_triangle
+    function ph_setup_fast, loop @ r0: struct ph_fast, r1: struct ph_ref, r2: struct ph_triangle
     push {r4-r11, lr}
     ldrh r3, [r1]
     ldrh r4, [r1, #2]
@@ -110,12 +110,12 @@ inside:
     add r7, r7, r12
     orrs r6, r7
     cmp r6, r12, lsl #1
-    bhs unusual
+    bhs general
     mul r12, r10, r9
     mls r12, r8, r11, r12
     adds r2, #own_corners
     stmia r2!, {r3-r5, r8-r12}
-    ldr r12, [r0, #usual_lens]
+    ldr r12, [r0, #fast_lens]
     cmp r12, #0
     beq fixed
     @ ph_float_depths, mostly of three corners with one exponent.
@@ -139,20 +139,20 @@ inside:
     subshi r4, r4, r7
     it hi
     subshi r5, r5, r7
-    bls unusual
+    bls general
     clz r7, r3
     eor r8, r3, r4
     eor r9, r3, r5
     orr r8, r8, r9
     rsb r9, r7, #31
     lsrs r8, r8, r9
-    bne unusual
+    bne general
     add r6, r6, r7
     lsr r8, r6, r12
     cmp r8, #2
-    bhs unusual
+    bhs general
     rsb r8, r12, #31
-    ldr r9, [r0, #usual_bias]
+    ldr r9, [r0, #fast_bias]
     lsls r6, r6, r8
     subs r6, r9, r6
     lsls r3, r3, r7
@@ -166,7 +166,7 @@ inside:
     adds r5, r5, r6
     stmia r2, {r3-r5}
 known:
-    ldrd r6, r7, [r0, #usual_ramp]
+    ldrd r6, r7, [r0, #fast_ramp]
     sub r0, r2, #own_depths
     mov r3, r2
     sub r2, r2, #own_depths - own_sides
@@ -187,7 +187,7 @@ border: @ do all corners keep a pixel away from the borders?
     off_borders r11, r1
     b inside
 fixed:
-    ldr r6, [r0, #usual_bias]
+    ldr r6, [r0, #fast_bias]
     fixed_depth r3
     fixed_depth r4
     fixed_depth r5
@@ -196,23 +196,23 @@ fixed:
     eors r5, r3
     orrs r4, r5
     bpl known
-    b unusual
+    b general
 apart: @ the corners have other exponents
     mov r4, r0
     mov r5, r2
     mov r3, r2
     sub r1, r2, #own_depths - own_corners
-    ldr r2, [r0, #usual_bias]
-    ldr r0, [r0, #usual_lens]
+    ldr r2, [r0, #fast_bias]
+    ldr r0, [r0, #fast_lens]
     bl ph_float_depths
     cmp r0, #0
     mov r0, r4
     mov r2, r5
     bne known
-unusual:
+general:
     movs r0, #0
     pop {r4-r11, pc}
-    .size ph_setup_usual, . - ph_setup_usual
+    .size ph_setup_fast, . - ph_setup_fast
 
     .p2align 2
     .global ph_setup_small

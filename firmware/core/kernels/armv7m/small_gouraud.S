@@ -1,8 +1,8 @@
 @ ph_small_gouraud of kernels.h for ARMv7-M; small_knee.S makes ph_small_knee of it,
-@ wide_gouraud.S ph_wide_gouraud. A row takes 18 instructions, a pixel that is drawn 10, a hidden one 5, a
+@ long_gouraud.S ph_long_gouraud. A row takes 18 instructions, a pixel that is drawn 10, a hidden one 5, a
 @ call 15 to 30. As long as nothing is drawn where a row goes, its pixels come in pairs, of 17 instructions.
 @
-@ Registers: r0 column 0 of the row; wide: blocks of 32 pixels that are left; with a knee: scratch, r1 scratch, r2 d,
+@ Registers: r0 column 0 of the row; long rows: blocks of 32 pixels that are left; with a knee: scratch, r1 scratch, r2 d,
 @ r3 light, r4 gd, r5 glight, r6 ramp, r7 depth, r8 pixels, r9 left, r10 right, r11 d at column 0, r12 light at
 @ column 0, lr: rows that are left << 16 | number of pixels so far. The pointer `triangle` on the stack stands at gd.
 #include "../thumb.inc"
@@ -105,7 +105,7 @@ from_\at:
     function ph_small_knee, scenery
     .else
     .ifdef with_blocks
-    function ph_wide_gouraud, scenery
+    function ph_long_gouraud, scenery
     .else
     function ph_small_gouraud, loop
     .endif
@@ -233,7 +233,7 @@ done:
     .size ph_small_knee, . - ph_small_knee
     .else
     .ifdef with_blocks
-    .size ph_wide_gouraud, . - ph_wide_gouraud
+    .size ph_long_gouraud, . - ph_long_gouraud
     .else
     .size ph_small_gouraud, . - ph_small_gouraud
     .endif

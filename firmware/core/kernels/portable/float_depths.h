@@ -1,4 +1,4 @@
-/* float_depths: what ph_float_depths and ph_setup_usual of kernels.h share in C; the format is in depth.h. */
+/* float_depths: what ph_float_depths and ph_setup_fast of kernels.h share in C; the format is in depth.h. */
 #ifndef PH_FLOAT_DEPTHS_H
 #define PH_FLOAT_DEPTHS_H
 

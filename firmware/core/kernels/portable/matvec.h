@@ -15,7 +15,7 @@
 #include "transform.h"
 
 /* 2048.0: up to here positions times 2^4 fit a word, and neither results nor sums have to be clamped. */
-#define PH_MATVEC_REACH ((uint32_t)1 << 27)
+#define PH_MATVEC_RANGE ((uint32_t)1 << 27)
 
 struct ph_row {
     int64_t t; /* of the translation, times 2^4 */
@@ -23,13 +23,13 @@ struct ph_row {
 };
 
 struct ph_matvec {
-    uint32_t reach; /* PH_MATVEC_REACH, or 0 if the translation is near the end of its range */
+    uint32_t range; /* PH_MATVEC_RANGE, or 0 if the translation is near the end of its range */
     struct ph_row row[3];
 };
 
 static inline void ph_matvec_prepare(struct ph_matvec *matvec, const struct ph_clip_matrix *matrix)
 {
-    matvec->reach = PH_MATVEC_REACH;
+    matvec->range = PH_MATVEC_RANGE;
     for (int i = 0; i < 3; i++) {
         struct ph_row *const row = &matvec->row[i];
         row->t = (int64_t)((uint64_t)matrix->t[i] << 4);
@@ -38,15 +38,15 @@ static inline void ph_matvec_prepare(struct ph_matvec *matvec, const struct ph_c
         }
         row->unused = 0;
         if (fx_magnitude((int32_t)(matrix->t[i] >> 28)) >> 30 != 0) {
-            matvec->reach = 0;
+            matvec->range = 0;
         }
     }
 }
 
 static inline bool ph_matvec_in_range(const struct ph_matvec *matvec, const struct fx_vec3 *p)
 {
-    const uint32_t reach = matvec->reach;
-    return (((uint32_t)p->x + reach) | ((uint32_t)p->y + reach) | ((uint32_t)p->z + reach)) < 2 * reach;
+    const uint32_t range = matvec->range;
+    return (((uint32_t)p->x + range) | ((uint32_t)p->y + range) | ((uint32_t)p->z + range)) < 2 * range;
 }
 
 static inline int32_t ph_row_high(const struct ph_row *row, int32_t x16, int32_t y16, int32_t z16)

@@ -1,4 +1,4 @@
-/* ph_setup_small and ph_setup_usual of kernels.h, in C for any CPU. */
+/* ph_setup_small and ph_setup_fast of kernels.h, in C for any CPU. */
 #include "float_depths.h"
 #include "kernels.h"
 #include "list.h"
@@ -105,36 +105,36 @@ static inline bool fixed_depths(uint32_t bias, const struct ph_vertex *const v[3
 }
 
 /* Finds the depth of the corners, without a call for most triangles. */
-static inline bool usual_depths(const struct ph_usual *usual, const struct ph_vertex *const v[3], uint32_t d[3])
+static inline bool fast_depths(const struct ph_fast *fast, const struct ph_vertex *const v[3], uint32_t d[3])
 {
-    if (usual->lens == NULL) {
-        return fixed_depths(usual->bias, v, d);
+    if (fast->lens == NULL) {
+        return fixed_depths(fast->bias, v, d);
     }
-    return v[0]->s == v[1]->s && v[0]->s == v[2]->s ? ph_float_depths_alike(usual->lens, v, usual->bias, d)
-                                                    : ph_float_depths(usual->lens, v, usual->bias, d);
+    return v[0]->s == v[1]->s && v[0]->s == v[2]->s ? ph_float_depths_alike(fast->lens, v, fast->bias, d)
+                                                    : ph_float_depths(fast->lens, v, fast->bias, d);
 }
 
 /* Whether a corner keeps a pixel away from the borders. */
-static inline bool is_off_borders(const struct ph_usual *usual, const struct ph_vertex *v)
+static inline bool is_off_borders(const struct ph_fast *fast, const struct ph_vertex *v)
 {
-    return (uint32_t)v->x - 256 <= usual->inner_x + 2 * usual->side &&
-           (uint32_t)v->y - 256 <= usual->inner_y + 2 * usual->side;
+    return (uint32_t)v->x - 256 <= fast->inner_x + 2 * fast->side &&
+           (uint32_t)v->y - 256 <= fast->inner_y + 2 * fast->side;
 }
 
-/* Whether all corners keep a pixel away from the borders, if the sides are below usual->side. Mostly the first corner
+/* Whether all corners keep a pixel away from the borders, if the sides are below fast->side. Mostly the first corner
  * tells: see inner() in frame.c. */
-static inline bool is_inside(const struct ph_usual *usual, const struct ph_vertex *const v[3])
+static inline bool is_inside(const struct ph_fast *fast, const struct ph_vertex *const v[3])
 {
-    const uint32_t margin = usual->margin;
-    return ((uint32_t)v[0]->x - margin < usual->inner_x && (uint32_t)v[0]->y - margin < usual->inner_y) ||
-           (is_off_borders(usual, v[0]) && is_off_borders(usual, v[1]) && is_off_borders(usual, v[2]));
+    const uint32_t margin = fast->margin;
+    return ((uint32_t)v[0]->x - margin < fast->inner_x && (uint32_t)v[0]->y - margin < fast->inner_y) ||
+           (is_off_borders(fast, v[0]) && is_off_borders(fast, v[1]) && is_off_borders(fast, v[2]));
 }
 
-enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph_ref *ref, struct ph_triangle *t)
+enum ph_small_setup ph_setup_fast(const struct ph_fast *fast, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    const struct ph_vertex *const base = usual->base;
+    const struct ph_vertex *const base = fast->base;
     const struct ph_vertex *const v[3] = {&base[ref->corner[0]], &base[ref->corner[1]], &base[ref->corner[2]]};
-    if (!is_inside(usual, v)) {
+    if (!is_inside(fast, v)) {
         return PH_SMALL_NO_ROW;
     }
     const int32_t dx1 = v[1]->x - v[0]->x, dx2 = v[2]->x - v[0]->x;
@@ -142,12 +142,12 @@ enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph
     const uint32_t area = (uint32_t)dx2 * (uint32_t)dy1 - (uint32_t)dx1 * (uint32_t)dy2; /* wraps where not small */
     const struct ph_sides sides = {dx1, dy1, dx2, dy2, (int32_t)area, true};
     uint32_t d[3];
-    if (!ph_sides_are_below(&sides, usual->side) || !usual_depths(usual, v, d)) {
+    if (!ph_sides_are_below(&sides, fast->side) || !fast_depths(fast, v, d)) {
         return PH_SMALL_NO_ROW;
     }
     t->kind = PH_KIND_SMALL;
     t->block = PH_BLOCK_NONE;
-    t->material = usual->material;
-    t->as.small.rows.ramp = usual->ramp;
+    t->material = fast->material;
+    t->as.small.rows.ramp = fast->ramp;
     return setup_small(t, v, &sides, d);
 }

@@ -1,6 +1,6 @@
 /* See texel_row.h. */
 /* Kits on armv6m: -O2. */
-#include "texel_row_plain.h"
+#include "texel_row_portable.h"
 #include "tier.h"
 
 PH_TIER(scenery) void ph_texel_row_nearest(const struct ph_texel_row *r)

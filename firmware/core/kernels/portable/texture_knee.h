@@ -3,7 +3,7 @@
 #ifndef PH_TEXTURE_KNEE_H
 #define PH_TEXTURE_KNEE_H
 
-#include "texture_small_plain.h"
+#include "texture_small_portable.h"
 
 #define PH_TEXTURE_KNEE 0
 

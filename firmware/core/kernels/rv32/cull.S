@@ -71,10 +71,10 @@
 next:
     bgeu a2, a3, none
     bnez a4, coded
-plain:
+no_codes:
     corners
     turn
-    bne a2, a3, plain
+    bne a2, a3, no_codes
 none:
     li a4, 0
     j leave

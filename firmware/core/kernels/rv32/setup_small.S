@@ -1,5 +1,5 @@
 /*
- * ph_setup_small and ph_setup_usual of kernels.h for RV32. With Zbb a triangle takes some 225 instructions, and some 85
+ * ph_setup_small and ph_setup_fast of kernels.h for RV32. With Zbb a triangle takes some 225 instructions, and some 85
  * more from its reference on.
  *
  * Registers: a0 the triangle, a3 a4 a5 its corners; s2 .. s6 its sides and their area, then the slopes; s7 s8 s9 depth;
@@ -72,9 +72,9 @@
     // Goes away if the corner \x, \y comes within a pixel of the borders. t0, t1: size less 2 pixels. Changes t2.
     .macro off_borders x, y
     addi t2, \x, -256
-    bgtu t2, t0, unusual
+    bgtu t2, t0, general
     addi t2, \y, -256
-    bgtu t2, t1, unusual
+    bgtu t2, t1, general
     .endm
 
     // \to = the depth of corner \v in fixed16 for the bias t1. Changes t0.
@@ -90,12 +90,12 @@
 2:  add \to, \to, t1
     .endm
 
-    function ph_setup_usual, loop // a0: struct ph_usual, a1: struct ph_ref, a2: struct ph_triangle
+    function ph_setup_fast, loop // a0: struct ph_fast, a1: struct ph_ref, a2: struct ph_triangle
     save 64, SAVED
     lhu a3, 0(a1)
     lhu a4, 2(a1)
     lhu a5, 4(a1)
-    lw t0, usual_base(a0)
+    lw t0, fast_base(a0)
     slli a3, a3, 4
     slli a4, a4, 4
     slli a5, a5, 4
@@ -104,7 +104,7 @@
     add a5, a5, t0
     // Does the first corner stay far enough from the borders?
     words lw, a3, 0, s0, s1
-    words lw, a0, usual_margin, t2, t0, t1 // and inner_x, inner_y
+    words lw, a0, fast_margin, t2, t0, t1 // and inner_x, inner_y
     sub t3, s0, t2
     bgeu t3, t0, border
     sub t3, s1, t2
@@ -113,7 +113,7 @@ inside:
     // The sides. Are they short enough?
     words lw, a4, 0, s2, s3
     words lw, a5, 0, s4, s5
-    lw t0, usual_side(a0)
+    lw t0, fast_side(a0)
     sub s2, s2, s0
     sub s3, s3, s1
     sub s4, s4, s0
@@ -129,11 +129,11 @@ inside:
     or t1, t1, t5
     or t1, t1, t3
     slli t0, t0, 1
-    bgeu t1, t0, unusual
+    bgeu t1, t0, general
     mul s6, s4, s3
     mul t1, s2, s5
     sub s6, s6, t1
-    lw t1, usual_lens(a0)
+    lw t1, fast_lens(a0)
     beqz t1, fixed
     // ph_float_depths, mostly of three corners with one exponent.
     lbu t0, vertex_s(a3)
@@ -149,9 +149,9 @@ inside:
     lbu t4, lens_float_down(t1)
     sub t3, t3, t0
     srl t2, t2, t3
-    bleu s7, t2, unusual
-    bleu s8, t2, unusual
-    bleu s9, t2, unusual
+    bleu s7, t2, general
+    bleu s8, t2, general
+    bleu s9, t2, general
     sub s7, s7, t2
     sub s8, s8, t2
     sub s9, s9, t2
@@ -161,12 +161,12 @@ inside:
     or t1, t1, t3
     xori t3, t5, 31
     srl t1, t1, t3
-    bnez t1, unusual
+    bnez t1, general
     add t0, t0, t5
     srl t1, t0, t4
     srli t1, t1, 1
-    bnez t1, unusual
-    lw t1, usual_bias(a0)
+    bnez t1, general
+    lw t1, fast_bias(a0)
     xori t3, t4, 31
     sll t0, t0, t3
     sub t0, t1, t0
@@ -180,7 +180,7 @@ inside:
     add s8, s8, t0
     add s9, s9, t0
 known:
-    words lw, a0, usual_ramp, t0, t1
+    words lw, a0, fast_ramp, t0, t1
     li t2, ~0xfc // PH_KIND_SMALL and PH_BLOCK_NONE, which stands beside it
     sw t0, triangle_ramp(a2)
     sw t1, triangle_material(a2)
@@ -188,7 +188,7 @@ known:
     mv a0, a2
     j begin
 border: // do all corners keep a pixel away from the borders?
-    lw t2, usual_side(a0)
+    lw t2, fast_side(a0)
     slli t2, t2, 1
     add t0, t0, t2
     add t1, t1, t2
@@ -199,7 +199,7 @@ border: // do all corners keep a pixel away from the borders?
     off_borders s2, s3
     j inside
 fixed:
-    lw t1, usual_bias(a0)
+    lw t1, fast_bias(a0)
     fixed_depth s7, a3
     fixed_depth s8, a4
     fixed_depth s9, a5
@@ -207,26 +207,26 @@ fixed:
     xor t1, s7, s9
     or t0, t0, t1
     bgez t0, known
-    j unusual
+    j general
 apart: // the corners have other exponents
     mv s10, a0
     mv s11, a2
     words sw, a2, own_corners, a3, a4, a5
     addi a1, a2, own_corners
     addi a3, a2, own_depths
-    lw a2, usual_bias(a0)
-    lw a0, usual_lens(a0)
+    lw a2, fast_bias(a0)
+    lw a0, fast_lens(a0)
     call ph_float_depths
     mv t0, a0
     mv a0, s10
     mv a2, s11
     words lw, a2, own_corners, a3, a4, a5, s7, s8, s9
     bnez t0, known
-unusual:
+general:
 none:
     li a0, 0
     j done
-    .size ph_setup_usual, . - ph_setup_usual
+    .size ph_setup_fast, . - ph_setup_fast
 
     .balign 4
     .global ph_setup_small

@@ -1,10 +1,10 @@
 /*
- * ph_small_gouraud of kernels.h for RV32; small_knee.S makes ph_small_knee of it, wide_gouraud.S ph_wide_gouraud. With
+ * ph_small_gouraud of kernels.h for RV32; small_knee.S makes ph_small_knee of it, long_gouraud.S ph_long_gouraud. With
  * Zba a row takes 22 instructions, a pixel that is drawn 10, a hidden one 5, a call 50 to 65.
  *
  * Registers: a0 the triangle, a1 depth and a2 pixels at column 0, a3 bytes from row to row; a4 left, a5 right, a6 d and
  * a7 light at column 0, s0 .. s3 their steps from row to row; s4 gd, s5 glight, s6 ramp, s7 number of pixels, s8 the
- * end of depth, s9 behind the unrolled pixels, s10 knee or width, s11 the end of a wide row; t3 d, t4 light, and t5
+ * end of depth, s9 behind the unrolled pixels, s10 knee or width, s11 the end of a long row; t3 d, t4 light, and t5
  * depth, t6 pixels behind the 32 unrolled ones; t0 t1 t2 scratch.
  */
 #include "rv32.inc"
@@ -14,7 +14,7 @@
 #define NAME ph_small_knee
 #define SAVED s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10
 #elif defined WITH_BLOCKS
-#define NAME ph_wide_gouraud
+#define NAME ph_long_gouraud
 #define SAVED s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11
 #else
 #define NAME ph_small_gouraud

@@ -51,7 +51,7 @@
     bgeu a1, a3, done
 next:
     words lw, a1, 0, t0, t1, t2 // x y z
-    li t3, 1 << 27 // are they within PH_MATVEC_REACH?
+    li t3, 1 << 27 // are they within PH_MATVEC_RANGE?
     add t4, t0, t3
     add t5, t1, t3
     add t3, t3, t2

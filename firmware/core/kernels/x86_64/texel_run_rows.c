@@ -2,7 +2,7 @@
  */
 #include "small_rows.h"
 #include "texel_mix.h"
-#include "texel_run_plain.h"
+#include "texel_run_portable.h"
 #include "texels2_row.h"
 
 /* Red, green and blue of a texel that stands in a word twice, each with five spare bits above, 3 bits up. */
@@ -133,7 +133,7 @@ static inline uint64_t draw_rows(struct ph_texel_run *r, const struct lit_texels
 uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row)
 {
     if (r->kind != PH_TEXEL_ROW_LIT || !texels2_fit(r)) {
-        return ph_texel_run_rows_plain(r, row);
+        return ph_texel_run_rows_portable(r, row);
     }
     struct texels2_lines l = texels2_lines_of(r);
     const struct lit_texels t = texels_of(r, l.bend);
@@ -142,5 +142,5 @@ uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row)
         count += draw_rows(r, &t, &l);
     } while (r->row.rows == 0 && ph_texel_run_lower(r));
     texels2_give_back(&l, r);
-    return (uint32_t)count + (r->row.rows > 0 ? ph_texel_run_rows_plain(r, row) : 0);
+    return (uint32_t)count + (r->row.rows > 0 ? ph_texel_run_rows_portable(r, row) : 0);
 }

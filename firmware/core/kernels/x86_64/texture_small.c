@@ -4,7 +4,7 @@
 #include "small_rows.h"
 #include "texels2_row.h"
 #include "texture_knee.h"
-#include "texture_small_plain.h"
+#include "texture_small_portable.h"
 
 /* Draws n pixels of a row from column `from` on. */
 static inline __attribute__((always_inline)) void draw_line(const struct texels2_common *t,

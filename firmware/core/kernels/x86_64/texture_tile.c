@@ -1,5 +1,5 @@
 /* ph_texture_tile for x86-64, with u and v in one word. See texture_tile.h. */
-#include "texture_tile_plain.h"
+#include "texture_tile_portable.h"
 
 #include "texels2_row.h"
 
@@ -79,6 +79,6 @@ void ph_texture_tile(struct ph_tile_rows *r)
     if (fits_both(r, at)) {
         draw_rows(r, at);
     } else {
-        ph_texture_tile_plain(r);
+        ph_texture_tile_portable(r);
     }
 }

@@ -1,6 +1,6 @@
-/* texel_row_plain: rows of texels in plain C; see texel_row.h. */
-#ifndef PH_TEXEL_ROW_PLAIN_H
-#define PH_TEXEL_ROW_PLAIN_H
+/* texel_row_portable: rows of texels in portable C; see texel_row.h. */
+#ifndef PH_TEXEL_ROW_PORTABLE_H
+#define PH_TEXEL_ROW_PORTABLE_H
 
 #include "span.h"
 #include "texel_mix.h"

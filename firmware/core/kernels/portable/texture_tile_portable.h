@@ -1,11 +1,11 @@
 /*
- * texture_tile_plain: ph_texture_tile of texture_tile.h in plain C, for a CPU without a form of its own, and for the
- * tiles that such a form cannot take.
+ * texture_tile_portable: ph_texture_tile of texture_tile.h in portable C, for a CPU without a form of its own, and for
+ * the tiles that such a form cannot take.
  */
-#ifndef PH_TEXTURE_TILE_PLAIN_H
-#define PH_TEXTURE_TILE_PLAIN_H
+#ifndef PH_TEXTURE_TILE_PORTABLE_H
+#define PH_TEXTURE_TILE_PORTABLE_H
 
-#include "texel_row_plain.h"
+#include "texel_row_portable.h"
 #include "texture_tile.h"
 
 /* The columns of a row, and a factor that u and v share. */
@@ -57,7 +57,7 @@ static inline void ph_draw_tile_row(const struct ph_tile_rows *r, const struct p
     ph_texel_row_any(&pixels, false, false);
 }
 
-static inline void ph_texture_tile_plain(struct ph_tile_rows *r)
+static inline void ph_texture_tile_portable(struct ph_tile_rows *r)
 {
     while (r->row.rows > 0) {
         struct ph_row_run row;

@@ -1,4 +1,4 @@
-/* ph_wide_gouraud of kernels.h for x86-64, 8 pixels at once; edges and planes step in one addition. */
+/* ph_long_gouraud of kernels.h for x86-64, 8 pixels at once; edges and planes step in one addition. */
 #include "gouraud8.h"
 #include "kernels.h"
 
@@ -8,7 +8,7 @@ static inline __m128i columns_of(__m128i row, __m128i width)
     return _mm_min_epi16(_mm_max_epi16(row, _mm_setzero_si128()), width);
 }
 
-uint32_t ph_wide_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
+uint32_t ph_long_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
     const __m128i step = _mm_unpacklo_epi32(_mm_loadl_epi64((const __m128i *)&rows->gd), _mm_setzero_si128());
     const __m128i width = _mm_set1_epi16((short)(stride_bytes / 2));

@@ -1,5 +1,5 @@
-/* fine: see fine.h. */
-#include "fine.h"
+/* samples: see samples.h. */
+#include "samples.h"
 
 #include "edge.h"
 #include "feed.h"
@@ -94,7 +94,7 @@ static inline struct columns columns_of(struct walk *w, const struct ph_ref *at,
     return all;
 }
 
-PH_TIER(seldom) void ph_fine_reach(struct ph_renderer *r, uint32_t band, struct ph_reach *in)
+PH_TIER(seldom) void ph_samples_columns(struct ph_renderer *r, uint32_t band, struct ph_columns *in)
 {
     const int32_t width = r->config.width, margin = 2 * 256;
     const struct ph_triangle *const carried = r->carried;
@@ -103,7 +103,7 @@ PH_TIER(seldom) void ph_fine_reach(struct ph_renderer *r, uint32_t band, struct 
     w.first = ph_ref_at(r, 0);
     ph_feed_start(&w.f, r, band);
     const struct ph_ref *const at = carried != NULL ? w.first - carried->order : at_number(&w, w.f.ref);
-    *in = (struct ph_reach){0, 0};
+    *in = (struct ph_columns){0, 0};
     if (r->after == NULL) {
         if (at == NULL) {
             return;
@@ -115,7 +115,7 @@ PH_TIER(seldom) void ph_fine_reach(struct ph_renderer *r, uint32_t band, struct 
     in->from = ph_min(ph_max((all.from - margin) >> 9, 0), in->end);
 }
 
-PH_TIER(seldom) void ph_fine_clear(const struct ph_band *rows, const struct ph_reach *in, uint16_t background)
+PH_TIER(seldom) void ph_samples_clear(const struct ph_band *rows, const struct ph_columns *in, uint16_t background)
 {
     uint16_t *samples = rows->pixels + 2 * in->from;
     for (int32_t y = rows->y0; y < rows->y1; y++, samples += rows->stride) {
@@ -123,7 +123,7 @@ PH_TIER(seldom) void ph_fine_clear(const struct ph_band *rows, const struct ph_r
     }
 }
 
-void ph_fine_means(const struct ph_band *rows, const struct ph_reach *in, uint16_t background, uint16_t *pixels)
+void ph_samples_resolve(const struct ph_band *rows, const struct ph_columns *in, uint16_t background, uint16_t *pixels)
 {
     const uint32_t width = (uint32_t)rows->width, lines = (uint32_t)(rows->y1 - rows->y0) / 2;
     const uint32_t from = (uint32_t)in->from, n = (uint32_t)in->end - from;

@@ -1,9 +1,9 @@
-/* texture_small_plain: ph_texture_small of texture_small.h in plain C, for a CPU without a form of its own, and for the
- * triangles that such a form cannot take. */
-#ifndef PH_TEXTURE_SMALL_PLAIN_H
-#define PH_TEXTURE_SMALL_PLAIN_H
+/* texture_small_portable: ph_texture_small of texture_small.h in portable C, for a CPU without a form of its own, and
+ * for the triangles that such a form cannot take. */
+#ifndef PH_TEXTURE_SMALL_PORTABLE_H
+#define PH_TEXTURE_SMALL_PORTABLE_H
 
-#include "texel_row_plain.h"
+#include "texel_row_portable.h"
 #include "texture_small.h"
 
 /* Draws n pixels of a row from column `from` on, where the depth is d; gd: its step. */

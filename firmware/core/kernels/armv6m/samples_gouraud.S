@@ -1,4 +1,4 @@
-@ ph_fine_gouraud of kernels.h for ARMv6-M. A row takes some 50 instructions, a sample that is drawn 10 or 11, a hidden
+@ ph_samples_gouraud of kernels.h for ARMv6-M. A row takes some 50 instructions, a sample that is drawn 10 or 11, a hidden
 @ one 5 or 6, a call some 40. As long as nothing is drawn where a row goes, a pixel's two samples take 15 together.
 @
 @ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0, plus 1 if the row ends with
@@ -62,7 +62,7 @@ sample_\at:
     add r3, r9
     .endm
 
-    function ph_fine_gouraud, seldom @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
+    function ph_samples_gouraud, seldom @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     save_registers
     subs r2, r2, r1
     push {r4}
@@ -226,4 +226,4 @@ more:
     .endr
     .noaltmacro
     b whole
-    .size ph_fine_gouraud, . - ph_fine_gouraud
+    .size ph_samples_gouraud, . - ph_samples_gouraud

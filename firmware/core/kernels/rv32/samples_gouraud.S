@@ -1,5 +1,5 @@
 /*
- * ph_fine_gouraud of kernels.h for RV32. With Zba a row takes 29 instructions, and 13 or 8 more if its first or its last
+ * ph_samples_gouraud of kernels.h for RV32. With Zba a row takes 29 instructions, and 13 or 8 more if its first or its last
  * pixel has one sample. As long as nothing is drawn where a row goes, both samples of a pixel take 13; behind that a
  * sample that is drawn takes 9 or 10, a hidden one 4 or 5. A call takes 50 to 65.
  *
@@ -70,7 +70,7 @@ samples_\at:
     next_pixel
     .endm
 
-    function ph_fine_gouraud, seldom
+    function ph_samples_gouraud, seldom
     save 64, SAVED
     words lw, a0, small_left_dx, s0, s1, s2, s3, s4, s5, s6, a4, a5, a6, a7
     lhu s8, small_upper_rows(a0)
@@ -155,4 +155,4 @@ below:
 done:
     mv a0, s7
     restore 64, SAVED
-    .size ph_fine_gouraud, . - ph_fine_gouraud
+    .size ph_samples_gouraud, . - ph_samples_gouraud

@@ -1,9 +1,9 @@
-/* ph_wide_gouraud of kernels.h, in C for any CPU. */
+/* ph_long_gouraud of kernels.h, in C for any CPU. */
 #include "kernels.h"
 
 #include "edge.h"
 
-uint32_t ph_wide_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
+uint32_t ph_long_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
     const uint32_t width = stride_bytes / 2;
     struct ph_small_triangle r = *rows;

@@ -1,4 +1,4 @@
-@ ph_fine_gouraud of kernels.h for ARMv7-M. A row takes some 25 instructions, a sample that is drawn 9 or 10, a hidden one
+@ ph_samples_gouraud of kernels.h for ARMv7-M. A row takes some 25 instructions, a sample that is drawn 9 or 10, a hidden one
 @ 4 or 5, a call 18 to 40. As long as nothing is drawn where a row goes, two pixels' four samples take 21 together.
 @
 @ Registers: r0 column 0 of the row, r1 d there, and both scratch where samples are drawn; r2 d, r3 light, r4 gd, r5 glight,
@@ -99,7 +99,7 @@ from_\at:
     bhs row
     .endm
 
-    function ph_fine_gouraud, seldom @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
+    function ph_samples_gouraud, seldom @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     push {r4-r11, lr}
     ldmia r0!, {r4-r7}
     eor r5, r5, #1 << 31
@@ -230,4 +230,4 @@ done:
 5:  uxth r0, lr
     add sp, sp, #frame
     pop {r4-r11, pc}
-    .size ph_fine_gouraud, . - ph_fine_gouraud
+    .size ph_samples_gouraud, . - ph_samples_gouraud

@@ -1,4 +1,4 @@
-/* ph_fine_gouraud of kernels.h for x86-64: the samples of 4 whole pixels of a row at once, and before them those of one
+/* ph_samples_gouraud of kernels.h for x86-64: the samples of 4 whole pixels of a row at once, and before them those of one
  * and of 2; edges and planes step in one addition. */
 #include "kernels.h"
 #include "pixels8.h"
@@ -7,7 +7,7 @@
 typedef int __attribute__((may_alias)) two_samples;
 
 /* What all rows of a triangle have in common. Each step has that of depth in word 0 and that of light in word 2. */
-struct fine {
+struct samples {
     const uint16_t *ramp;
     ptrdiff_t to_pixels;      /* from a depth to its pixel, in bytes */
     __m128i pixel, two, four; /* the steps of so many pixels */
@@ -46,7 +46,7 @@ static inline __attribute__((always_inline)) __m128i colours(__m128i light, cons
 }
 
 /* Draws the samples of 1, 2 or 4 pixels; at: depth and light of the first sample. */
-static inline __attribute__((always_inline)) void draw(const struct fine *f, uint16_t *depth, __m128i at, int pixels)
+static inline __attribute__((always_inline)) void draw(const struct samples *f, uint16_t *depth, __m128i at, int pixels)
 {
     const __m128i d = _mm_add_epi32(_mm_shuffle_epi32(at, 0), f->d);
     const struct depths8 depths = {d, pixels > 2 ? _mm_add_epi32(d, f->d_four) : d};
@@ -65,7 +65,7 @@ static inline __attribute__((always_inline)) void draw(const struct fine *f, uin
 }
 
 /* Draws a sample that is alone in its pixel. */
-static inline void draw_one(const struct fine *f, uint16_t *depth, __m128i at)
+static inline void draw_one(const struct samples *f, uint16_t *depth, __m128i at)
 {
     const uint16_t code = (uint16_t)_mm_extract_epi16(at, 1);
     if (code > *depth) {
@@ -75,7 +75,7 @@ static inline void draw_one(const struct fine *f, uint16_t *depth, __m128i at)
 }
 
 /* Draws the samples from .. to - 1 of a row; at: depth and light of the first sample of the first pixel. */
-static inline void draw_row(const struct fine *f, uint16_t *depth, uint32_t from, uint32_t to, __m128i at,
+static inline void draw_row(const struct samples *f, uint16_t *depth, uint32_t from, uint32_t to, __m128i at,
                             __m128i sample)
 {
     uint16_t *first = depth + from;
@@ -105,11 +105,11 @@ static inline void draw_row(const struct fine *f, uint16_t *depth, uint32_t from
     }
 }
 
-static inline struct fine fine_of(const struct ph_small_triangle *small, const uint16_t *depth, const uint16_t *pixels)
+static inline struct samples samples_of(const struct ph_small_triangle *small, const uint16_t *depth, const uint16_t *pixels)
 {
     const uint32_t gd = small->gd, glight = small->glight;
     const __m128i pixel = _mm_setr_epi32((int)(2 * gd), 0, (int)glight, 0), two = _mm_add_epi32(pixel, pixel);
-    return (struct fine){.ramp = small->ramp,
+    return (struct samples){.ramp = small->ramp,
                          .to_pixels = (const uint8_t *)pixels - (const uint8_t *)depth,
                          .pixel = pixel,
                          .two = two,
@@ -119,10 +119,10 @@ static inline struct fine fine_of(const struct ph_small_triangle *small, const u
                          .d_four = _mm_set1_epi32((int)(4 * gd))};
 }
 
-uint32_t ph_fine_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
+uint32_t ph_samples_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
     const __m128i sample = _mm_cvtsi32_si128((int)rows->gd);
-    const struct fine f = fine_of(rows, depth, pixels);
+    const struct samples f = samples_of(rows, depth, pixels);
     __m128i row = _mm_loadu_si128((const __m128i *)&rows->left);
     __m128i down = _mm_loadu_si128((const __m128i *)&rows->left_dx);
     const __m128i turn = _mm_setr_epi32(0, 0, 0, (int)(rows->light_dy ^ 1));

@@ -1,4 +1,4 @@
-/* ph_fine_gouraud of kernels.h, in C for any CPU. */
+/* ph_samples_gouraud of kernels.h, in C for any CPU. */
 #include "kernels.h"
 #include "span.h"
 #include "triangle.h"
@@ -27,7 +27,8 @@ static void draw_row(uint16_t *pixels, uint16_t *depth, uint32_t from, uint32_t 
     }
 }
 
-uint32_t ph_fine_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
+uint32_t ph_samples_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+                            uint32_t stride_bytes)
 {
     struct ph_small_triangle r = *rows;
     uint32_t count = 0;

@@ -1,6 +1,6 @@
-/* texel_run_plain: ph_texel_run_rows of texture_small.h in plain C. */
-#ifndef PH_TEXEL_RUN_PLAIN_H
-#define PH_TEXEL_RUN_PLAIN_H
+/* texel_run_portable: ph_texel_run_rows of texture_small.h in portable C. */
+#ifndef PH_TEXEL_RUN_PORTABLE_H
+#define PH_TEXEL_RUN_PORTABLE_H
 
 #include "texel_mix.h"
 #include "texture_small.h"
@@ -42,16 +42,16 @@ static inline void ph_run_row_down(struct ph_texel_run *r)
     r->row.rows--;
 }
 
-static inline uint32_t ph_texel_run_rows_plain(struct ph_texel_run *r, struct ph_texel_row *row)
+static inline uint32_t ph_texel_run_rows_portable(struct ph_texel_run *r, struct ph_texel_row *row)
 {
     uint32_t count = 0;
     while (r->row.rows > 0) {
         const int32_t from = (int32_t)r->row.left >> 16, n = ((int32_t)r->row.right >> 16) - from;
-        const bool any = n > 0, usual = !any || ph_set_run_row(r, row, (uint32_t)from, (uint32_t)n);
+        const bool any = n > 0, fast = !any || ph_set_run_row(r, row, (uint32_t)from, (uint32_t)n);
         ph_run_row_down(r);
         if (any) {
             count += (uint32_t)n;
-            if (!usual) {
+            if (!fast) {
                 break;
             }
             ph_texel_row_draw(row, r->kind);

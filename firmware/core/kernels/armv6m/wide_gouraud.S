@@ -1,4 +1,0 @@
-@ ph_wide_gouraud of kernels.h: a row takes some 30 instructions more than one of ph_small_gouraud, and 5 more for each
-@ 16 pixels.
-    .equ with_blocks, 1
-#include "small_gouraud.S"

@@ -1,4 +1,0 @@
-/* ph_wide_gouraud of kernels.h: a row takes some 10 instructions more than one of ph_small_gouraud, and 4 more for each
- * 32 pixels. */
-#define WITH_BLOCKS
-#include "small_gouraud.S"
