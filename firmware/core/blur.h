@@ -48,17 +48,17 @@ struct ph_blur {
     uint16_t *colours; /* lines after the first pass, a ring of `lines` of them */
     int8_t *blurs;     /* radius in 1/16 px, positive before the focal plane */
     uint32_t lines;
-    uint32_t next_band; /* the renderer's next band */
-    uint32_t drawn;     /* lines of the picture that have entered the ring */
-    uint8_t radius, depth_format;
-    bool wide;           /* depth has 4 bytes a pixel */
-    struct ph_lens lens; /* for linear-w: turns codes back into distances */
-    uint8_t most;        /* largest radius, 1/16 px */
-    int8_t empty;        /* blur of empty pixels */
-    int32_t focal_d;     /* depth of the focal plane, see blur.c */
-    uint32_t per_d;      /* blur per unit of depth */
-    uint32_t limit;      /* from this difference of depth on the blur is the largest */
-    uint16_t share[128]; /* weight of a neighbour, by its radius in 1/16 px */
+    uint32_t next_band;     /* the renderer's next band */
+    uint32_t drawn;         /* lines of the picture that have entered the ring */
+    uint8_t radius, coding; /* coding: enum ph_depth_coding */
+    bool wide;              /* depth has 4 bytes a pixel */
+    struct ph_lens lens;    /* for linear-w: turns codes back into distances */
+    uint8_t most;           /* largest radius, 1/16 px */
+    int8_t empty;           /* blur of empty pixels */
+    int32_t focal_d;        /* depth of the focal plane, see blur.c */
+    uint32_t per_d;         /* blur per unit of depth */
+    uint32_t limit;         /* from this difference of depth on the blur is the largest */
+    uint16_t share[128];    /* weight of a neighbour, by its radius in 1/16 px */
 };
 
 /*

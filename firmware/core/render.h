@@ -184,22 +184,50 @@ struct ph_scene_light {
 
 /* ---- the renderer --------------------------------------------------------------------------------------- */
 
-/* What a pixel of the depth buffer holds. depth.h says what each format resolves. */
-enum ph_depth_format {
-    PH_DEPTH_AUTO,     /* the format that ph_depth_choose() takes for the frame's camera */
-    PH_DEPTH_FIXED16,  /* N/w - N/f, 16 bits */
-    PH_DEPTH_FLOAT16,  /* N/w - N/f as an unsigned floating-point number: 3 .. 6 bits of exponent, the rest mantissa */
-    PH_DEPTH_FIXED24,  /* as FIXED16, 24 bits */
-    PH_DEPTH_FLOAT24,  /* as FLOAT16, 24 bits */
-    PH_DEPTH_LINEAR_W, /* the distance itself, 16 bits; slow: a reciprocal per pixel */
+/* How a distance becomes the code that a pixel of the depth buffer holds. depth.h has the formulas. */
+enum ph_depth_coding {
+    PH_DEPTH_IS_FIXED,  /* N/w - N/f */
+    PH_DEPTH_IS_FLOAT,  /* N/w - N/f as an unsigned floating-point number: 3 .. 6 bits of exponent, the rest mantissa */
+    PH_DEPTH_IS_LINEAR, /* the distance itself; slow: a reciprocal per pixel. Orthographic: as FIXED */
 };
 
-#define PH_DEPTH_FORMATS 6
-
 /*
- * Bytes of the depth buffer per pixel: 4 for FIXED24 and FLOAT24 (a uint32_t with the code in its low 24 bits), 2 for
- * all others, AUTO included (a uint16_t).
+ * The depth formats with all that tells them apart. Programs, tests and tables take them from here; a new format is a
+ * row at the end. depth.h says what each resolves.
+ *   coding   the end of a name of enum ph_depth_coding
+ *   bits     of the code: 16 in a uint16_t, or 24 in the low bits of a uint32_t
+ *   octaves  of a float that a plane of 32 bits may cross: with more, its far end would have too few bits
+ *   small    whether small triangles are stepped in 32 bits at once (triangle.h); if not, all are drawn as large ones
  */
+/* clang-format off */
+#define PH_DEPTH_EACH(ROW) \
+    /*  PH_DEPTH_.. name        coding  bits octaves small */ \
+    ROW(FIXED16,    "fixed16",  FIXED,  16,  0,      true) \
+    ROW(FLOAT16,    "float16",  FLOAT,  16,  4,      true) \
+    ROW(FIXED24,    "fixed24",  FIXED,  24,  0,      false) \
+    ROW(FLOAT24,    "float24",  FLOAT,  24,  2,      false) \
+    ROW(LINEAR_W,   "linear-w", LINEAR, 16,  0,      false)
+/* clang-format on */
+
+#define PH_DEPTH_ENUM(id, name, coding, bits, octaves, small) PH_DEPTH_##id,
+enum ph_depth_format {
+    PH_DEPTH_AUTO, /* the format that ph_depth_choose() takes for the frame's camera */
+    PH_DEPTH_EACH(PH_DEPTH_ENUM) PH_DEPTH_FORMATS
+};
+
+struct ph_depth_traits {
+    uint8_t coding, bits, octaves;
+    bool is_small;
+};
+
+/* The traits of AUTO are those that all formats have which it may take. */
+extern const struct ph_depth_traits ph_depth_traits[PH_DEPTH_FORMATS];
+
+/* The names that people write, of the formats from PH_DEPTH_AUTO on: `names[] = {PH_DEPTH_NAMES};` */
+#define PH_DEPTH_NAME(id, name, coding, bits, octaves, small) , name
+#define PH_DEPTH_NAMES                                        "auto" PH_DEPTH_EACH(PH_DEPTH_NAME)
+
+/* Bytes of the depth buffer per pixel: 4 with codes of 24 bits, else 2. */
 size_t ph_depth_bytes(unsigned format);
 
 /*
@@ -364,7 +392,8 @@ struct ph_renderer {
     uint32_t rows_place, rows; /* rows of pixels that blended triangles are drawn into */
     void (*fog)(void *share);  /* fogs the rows of a struct ph_share; or NULL */
     struct ph_fog fog_of;
-    uint32_t fog_codes[32]; /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
+    uint32_t fog_codes[32];       /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
+    struct ph_depth_traits depth; /* of this frame's format */
 };
 
 /*

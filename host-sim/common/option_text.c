@@ -85,9 +85,7 @@ bool option_text_turns(const char *text, uint8_t *out)
     return turns >= 0;
 }
 
-static const char *const depth_names[PH_DEPTH_FORMATS] = {
-    [PH_DEPTH_AUTO] = "auto",       [PH_DEPTH_FIXED16] = "fixed16", [PH_DEPTH_FLOAT16] = "float16",
-    [PH_DEPTH_FIXED24] = "fixed24", [PH_DEPTH_FLOAT24] = "float24", [PH_DEPTH_LINEAR_W] = "linear-w"};
+static const char *const depth_names[] = {PH_DEPTH_NAMES};
 
 bool option_text_depth(const char *text, struct option_depth *out)
 {
@@ -99,7 +97,7 @@ bool option_text_depth(const char *text, struct option_depth *out)
     }
     snprintf(name, sizeof name, "%.*s", (int)n, text);
     const int format = option_text_choice(name, depth_names, PH_DEPTH_FORMATS);
-    if (format < 0 || (end != NULL && format != PH_DEPTH_FLOAT16 && format != PH_DEPTH_FLOAT24)) {
+    if (format < 0 || (end != NULL && ph_depth_traits[format].coding != PH_DEPTH_IS_FLOAT)) {
         return false;
     }
     *out = (struct option_depth){(uint8_t)format, (uint8_t)(end != NULL ? end[2] - '0' : 0)};

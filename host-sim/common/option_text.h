@@ -35,9 +35,17 @@ bool option_text_depth(const char *text, struct option_depth *out);
 #define OPTION_DEPTH_NAME 16 /* room for a format's name */
 const char *option_text_depth_name(struct option_depth depth, char text[OPTION_DEPTH_NAME]);
 
-/* The values of --depth, in words. */
-#define OPTION_DEPTH_ALIAS  "format" /* the other name of --depth, in all programs */
-#define OPTION_DEPTH_VALUES "auto, fixed16, fixed24, linear-w, float16, float24, or a float with -e3 .. -e6 behind it"
+#define OPTION_DEPTH_ALIAS "format" /* the other name of --depth, in all programs */
+
+/* The values of --depth, as a help shows them and in words. */
+#define OPTION_DEPTH_CHOICES "auto" PH_DEPTH_EACH(OPTION_DEPTH_CHOICE)
+#define OPTION_DEPTH_VALUES  "auto" PH_DEPTH_EACH(OPTION_DEPTH_VALUE) ", or a float with -e3 .. -e6 behind it"
+
+#define OPTION_DEPTH_VALUE(id, name, coding, bits, octaves, small)  ", " name
+#define OPTION_DEPTH_CHOICE(id, name, coding, bits, octaves, small) "|" name OPTION_DEPTH_CHOICE_##coding
+#define OPTION_DEPTH_CHOICE_FIXED
+#define OPTION_DEPTH_CHOICE_FLOAT "[-eN]"
+#define OPTION_DEPTH_CHOICE_LINEAR
 
 /* Returns whether the name of a file has this ending and something before it. */
 bool option_text_ends(const char *name, const char *ending);

@@ -127,11 +127,10 @@ static double solve_float(const struct lab_format *format, int exponent, double 
 static double solve(const struct lab_format *format, double z, double s, double far_z)
 {
     double least = INFINITY;
-    switch (format->format) {
-    case PH_DEPTH_LINEAR_W:
+    switch (ph_depth_traits[format->format].coding) {
+    case PH_DEPTH_IS_LINEAR:
         return fmax(far_z - s * 65536 * head_of(0), LSB);
-    case PH_DEPTH_FLOAT16:
-    case PH_DEPTH_FLOAT24: /* the renderer takes the best, but for the sawtooth of a float */
+    case PH_DEPTH_IS_FLOAT: /* the renderer takes the best, but for the sawtooth of a float */
         for (int exponent = 3; exponent <= 5; exponent++) {
             least = fmin(least, solve_float(format, format->exponent != 0 ? format->exponent : exponent, z, s, far_z));
         }
@@ -253,7 +252,7 @@ static void say_backward(const struct question *q, const struct lab_format *form
 /* Ranks a format by its cost: 24 bits take memory, linear-w takes a division a pixel. */
 static int cost_of(const struct lab_format *format)
 {
-    return format->format == PH_DEPTH_LINEAR_W ? 2 : format->bits == 24;
+    return ph_depth_traits[format->format].coding == PH_DEPTH_IS_LINEAR ? 2 : format->bits == 24;
 }
 
 /* Is a the better advice? A near plane that shows something wins, then a cheap format, then the smaller near plane. */

@@ -254,7 +254,8 @@ static double percent(uint64_t part, uint64_t whole)
 /* The cost of a format: memory first, then time. */
 static int cost_of(const struct lab_format *format)
 {
-    return format->format == PH_DEPTH_LINEAR_W ? 3 : format->bits == 24 ? 2 : format->format != PH_DEPTH_FIXED16;
+    const unsigned coding = ph_depth_traits[format->format].coding;
+    return coding == PH_DEPTH_IS_LINEAR ? 3 : format->bits == 24 ? 2 : coding == PH_DEPTH_IS_FLOAT;
 }
 
 /* The cheapest of those that are as good as the best but for a pixel in 10,000; of its near planes the camera's own. */

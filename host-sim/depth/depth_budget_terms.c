@@ -32,7 +32,12 @@ void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double
 
 static bool is_float(enum ph_depth_format format)
 {
-    return format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+    return ph_depth_traits[format].coding == PH_DEPTH_IS_FLOAT;
+}
+
+static bool is_linear(enum ph_depth_format format)
+{
+    return ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR;
 }
 
 /* A float's bits of exponent. */
@@ -47,13 +52,19 @@ static double head_m(enum ph_depth_format format, const struct depth_lab *lab)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
     const int bits = is_float(format) ? bits_of(lab) : 0;
-    const bool is_fixed = format == PH_DEPTH_FIXED16 || format == PH_DEPTH_FIXED24;
+    const bool is_fixed = !is_float(format) && !is_linear(format);
     return n * (is_fixed ? fmin(f / (f - n), 8) : 1) * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
 }
 
 static bool has_24_bits(enum ph_depth_format format)
 {
-    return format == PH_DEPTH_FIXED24 || format == PH_DEPTH_FLOAT24;
+    return ph_depth_traits[format].bits == 24;
+}
+
+/* A step of 2^-16 of the range in codes. */
+static double unit_of(enum ph_depth_format format)
+{
+    return has_24_bits(format) ? 256 : 1;
 }
 
 /* d = N/w - N/f at distance z. */
@@ -81,39 +92,33 @@ static double of_float(const struct depth_lab *lab, double code)
 
 double depth_code_of_float(enum ph_depth_format format, const struct depth_lab *lab, double d)
 {
-    return (float_of(lab, d) + 8) * (has_24_bits(format) ? 256 : 1);
+    return (float_of(lab, d) + 8) * unit_of(format);
 }
 
 double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, double z)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), d = depth_at(format, lab, z);
-    switch (format) {
-    case PH_DEPTH_FIXED24:
-        return ldexp(d, 24) + 4160;
-    case PH_DEPTH_FLOAT16:
-    case PH_DEPTH_FLOAT24:
+    switch (ph_depth_traits[format].coding) {
+    case PH_DEPTH_IS_FLOAT:
         return depth_code_of_float(format, lab, d);
-    case PH_DEPTH_LINEAR_W:
+    case PH_DEPTH_IS_LINEAR:
         return 65408 * (f - z) / (f - n) + 16;
     default:
-        return ldexp(d, 16) + 16.25;
+        return unit_of(format) * (ldexp(d, 16) + 16.25);
     }
 }
 
 double depth_distance_of(enum ph_depth_format format, const struct depth_lab *lab, double code)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), over_far = head_m(format, lab) / f;
-    switch (format) {
-    case PH_DEPTH_FIXED24:
-        return head_m(format, lab) / (ldexp(code - 4160, -24) + over_far);
-    case PH_DEPTH_FLOAT16:
-        return head_m(format, lab) / (of_float(lab, code - 8) + over_far);
-    case PH_DEPTH_FLOAT24:
-        return head_m(format, lab) / (of_float(lab, code / 256 - 8) + over_far);
-    case PH_DEPTH_LINEAR_W:
+    const double short_code = code / unit_of(format);
+    switch (ph_depth_traits[format].coding) {
+    case PH_DEPTH_IS_FLOAT:
+        return head_m(format, lab) / (of_float(lab, short_code - 8) + over_far);
+    case PH_DEPTH_IS_LINEAR:
         return f - (code - 16) * (f - n) / 65408;
     default:
-        return head_m(format, lab) / (ldexp(code - 16.25, -16) + over_far);
+        return head_m(format, lab) / (ldexp(short_code - 16.25, -16) + over_far);
     }
 }
 
@@ -131,7 +136,7 @@ static double bit_of(enum ph_depth_format format, const struct depth_lab *lab, d
 
 double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
 {
-    if (format == PH_DEPTH_LINEAR_W) {
+    if (is_linear(format)) {
         return (depth_metres(lab->far_z) - depth_metres(lab->near_z)) / 65408;
     }
     return z * z / head_m(format, lab) * bit_of(format, lab, depth_at(format, lab, z));
@@ -161,9 +166,9 @@ static double divide_m(double z)
 /* How far the border of two codes may lie from where the formula has it. linear-w takes a second reciprocal. */
 static double border_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
 {
-    const double unit = format == PH_DEPTH_LINEAR_W ? ldexp(z, -26) + ldexp(depth_metres(lab->far_z), -29)
-                        : is_float(format)          ? ldexp(z, -29)
-                                                    : ldexp(z * z / head_m(format, lab), -31);
+    const double unit = is_linear(format)  ? ldexp(z, -26) + ldexp(depth_metres(lab->far_z), -29)
+                        : is_float(format) ? ldexp(z, -29)
+                                           : ldexp(z * z / head_m(format, lab), -31);
     return divide_m(z) + unit;
 }
 
@@ -207,7 +212,7 @@ static double plateau_m(enum ph_depth_format format, const struct depth_lab *lab
     const double last = depth_distance_of(format, lab, code), first = depth_distance_of(format, lab, code + 1);
     const bool is_cut = last < 0 || last > f || first < n;
     const double from = fmax(first, n), to = last < 0 || last > f ? f : last, length = to - from;
-    if (format == PH_DEPTH_LINEAR_W) {
+    if (is_linear(format)) {
         return floor((length + 2 * border_m(format, lab, to)) / GRID_M + 1) * GRID_M;
     }
     struct quotient_grain grain = grain_at(format, lab, to + slack);
@@ -300,28 +305,27 @@ struct plane_error {
 /* Whether the plane takes 64 bits: it crosses more octaves than 32 bits serve (planes.c). */
 static bool is_exact(enum ph_depth_format format, const struct depth_lab *lab, const struct whole_plane *plane)
 {
-    if (format == PH_DEPTH_LINEAR_W) {
+    if (is_linear(format)) {
         const double head = head_m(format, lab);
         return ilogb(head / plane->nearest) - ilogb(head / plane->farthest) > 4;
     }
     return is_float(format) && octave_of(lab, depth_at(format, lab, plane->nearest)) -
                                        octave_of(lab, depth_at(format, lab, plane->farthest)) >
-                                   (format == PH_DEPTH_FLOAT16 ? 4 : 2);
+                                   ph_depth_traits[format].octaves;
 }
 
 /* The unit in which a run of a plane of 64 bits is stepped at distance z, in metres: of the float's octave, of 1/w. */
 static double run_unit_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
 {
     const double head = head_m(format, lab);
-    return format == PH_DEPTH_LINEAR_W ? z * z / head * ldexp(1, ilogb(head / z) - 28)
-                                       : ldexp(depth_step_m(format, lab, z), has_24_bits(format) ? -8 : -16);
+    return is_linear(format) ? z * z / head * ldexp(1, ilogb(head / z) - 28)
+                             : ldexp(depth_step_m(format, lab, z), has_24_bits(format) ? -8 : -16);
 }
 
 /* The largest unit between two distances: it grows towards the far end of an octave. */
 static double largest_unit_m(enum ph_depth_format format, const struct depth_lab *lab, double from, double to)
 {
-    const double head = head_m(format, lab),
-                 over_far = format == PH_DEPTH_LINEAR_W ? 0 : head / depth_metres(lab->far_z);
+    const double head = head_m(format, lab), over_far = is_linear(format) ? 0 : head / depth_metres(lab->far_z);
     double most = run_unit_m(format, lab, to);
     for (int octave = 0; octave < 64; octave++) {
         const double end = head / (ldexp(1 + 1e-12, -octave) + over_far);
@@ -363,7 +367,7 @@ static struct plane_error float_error(const struct depth_lab *lab, enum ph_depth
     }
     int over;
     frexp(head_m(format, lab) / plane->nearest, &over);
-    const int block = over < 0 ? -1 - over : 0, zeros = format == PH_DEPTH_FLOAT24 ? -first - block : 0;
+    const int block = over < 0 ? -1 - over : 0, zeros = has_24_bits(format) ? -first - block : 0;
     const int down = bits_of(lab) - 1 - zeros;
     const double rounded = down > 0 ? ldexp(1, down) : 0;
     return (struct plane_error){ldexp(1, -32 - block), (1 + rounded) * 2 * way + 12 + rounded};
@@ -382,16 +386,16 @@ double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab
 {
     const struct whole_plane plane = whole_plane(lab, lean);
     const double way = hypot(plane.along, plane.across) / sqrt(2);
-    const double late = format == PH_DEPTH_LINEAR_W ? 2 * ldexp(depth_metres(lab->far_z), -30) : 0;
+    const double late = is_linear(format) ? 2 * ldexp(depth_metres(lab->far_z), -30) : 0;
     struct plane_error error = {ldexp(1, -32), 2 * way + 4};
     if (is_exact(format, lab, &plane)) {
         return exact_m(format, lab, &plane, way, z) + divide_m(z) + late;
     }
     if (is_float(format)) {
         error = float_error(lab, format, &plane, way);
-    } else if (format == PH_DEPTH_LINEAR_W) {
+    } else if (is_linear(format)) {
         error = (struct plane_error){ldexp(1, ilogb(head_m(format, lab) / plane.nearest) - 28), 2 * way + 8};
-    } else if (format == PH_DEPTH_FIXED16) {
+    } else if (!has_24_bits(format)) {
         const double difference =
             ldexp(depth_at(format, lab, plane.nearest) - depth_at(format, lab, plane.farthest), 32);
         error.units = fmax(2 * way + 514, short_units(lab, difference));

@@ -26,14 +26,13 @@ struct style {
 
 static struct style style_of(const struct lab_format *format)
 {
-    static const struct style drawn[PH_DEPTH_FORMATS] = {
-        [PH_DEPTH_FIXED16] = {"#e69f00", 5}, [PH_DEPTH_FLOAT16] = {"#0072b2", 7},  [PH_DEPTH_FIXED24] = {"#d55e00", 4},
-        [PH_DEPTH_FLOAT24] = {"#009e73", 6}, [PH_DEPTH_LINEAR_W] = {"#cc79a7", 9},
-    };
+    /* The renderer's, in their order. */
+    static const struct style drawn[] = {{"#e69f00", 5}, {"#0072b2", 7},  {"#d55e00", 4}, {"#009e73", 6},
+                                         {"#cc79a7", 9}, {"#56b4e9", 11}, {"#000000", 13}};
     static const char *const widths[] = {"#332288", "#117733", "#999933", "#882255"}; /* 3 .. 6 bits of exponent */
     if (format->kind == LAB_DRAWN) {
-        const int mark = drawn[format->format].mark;
-        return format->exponent != 0 ? (struct style){widths[format->exponent - 3], mark} : drawn[format->format];
+        const struct style own = drawn[(format->format - PH_DEPTH_AUTO - 1) % (sizeof drawn / sizeof drawn[0])];
+        return format->exponent != 0 ? (struct style){widths[format->exponent - 3], own.mark} : own;
     }
     static const struct style others[] = {
         [LAB_NDC_Q16] = {"#777777", 0}, [LAB_RECIP_Q16] = {"#b2182b", 0}, [LAB_CLIP_Q16] = {"#762a83", 0},

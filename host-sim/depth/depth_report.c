@@ -299,22 +299,27 @@ static double worst_m(const struct depth_lab *lab, const struct lab_format *form
     return worst;
 }
 
+/* Whether the renderer draws it without a reciprocal a pixel, with as many bits of exponent as it takes itself. */
+static bool is_quick(const struct lab_format *format)
+{
+    return format->kind == LAB_DRAWN && format->exponent == 0 &&
+           ph_depth_traits[format->format].coding != PH_DEPTH_IS_LINEAR;
+}
+
 /* One line: the cheapest format that separates a thousandth of the far plane's distance, or the finest. The formats of
  * 16 bits that step in one multiplication come first. */
 static void put_answer(const struct depth_lab *lab, FILE *report)
 {
-    static const uint8_t order[] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16, PH_DEPTH_FIXED24, PH_DEPTH_FLOAT24};
     const double enough = depth_metres(lab->far_z) / 1000;
     const struct lab_format *best = NULL;
     double best_m = HUGE_VAL;
-    for (size_t i = 0; i < sizeof order && !(best_m <= enough); i++) {
-        const struct lab_format *format = lab_formats;
-        while (format->kind != LAB_DRAWN || format->format != order[i]) {
-            format++;
+    for (uint32_t i = 0; i < 2 * lab_format_count && !(best_m <= enough); i++) {
+        const struct lab_format *const format = &lab_formats[i % lab_format_count];
+        if (format->bits == (i < lab_format_count ? 16 : 24) && is_quick(format)) {
+            const double worst = worst_m(lab, format);
+            best = worst < best_m ? format : best;
+            best_m = fmin(worst, best_m);
         }
-        const double worst = worst_m(lab, format);
-        best = worst < best_m ? format : best;
-        best_m = fmin(worst, best_m);
     }
     if (best != NULL) {
         fprintf(

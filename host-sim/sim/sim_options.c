@@ -217,7 +217,7 @@ static const struct option_row rows[] = {
     {"convention", "gl|d3d|lmu|reversed",
      "how the camera is written down; the picture is the same in all of them. gl by default: right-handed, along -z",
      "gl, d3d, lmu or reversed", .set = set_convention},
-    {"depth", "auto|fixed16|float16[-eN]|fixed24|float24[-eN]|linear-w",
+    {"depth", OPTION_DEPTH_CHOICES,
      "what the depth buffer holds; auto by default: fixed16 where far is at most 64 times near or the\n"
      "        projection is parallel, else float16. A float has N bits of exponent, by default those that the lens\n"
      "        needs (--stats names them). The 24-bit formats take twice the memory, linear-w a reciprocal per pixel",

@@ -14,10 +14,7 @@ struct camera {
     int exact_every; /* every so many distances the exact value is compared, too */
 };
 
-static const char *const names[PH_DEPTH_FORMATS] = {
-    [PH_DEPTH_FIXED16] = "fixed16", [PH_DEPTH_FLOAT16] = "float16",   [PH_DEPTH_FIXED24] = "fixed24",
-    [PH_DEPTH_FLOAT24] = "float24", [PH_DEPTH_LINEAR_W] = "linear-w",
-};
+static const char *const names[] = {PH_DEPTH_NAMES};
 
 /* The lens of a frame, as the renderer makes it. */
 static int lens_of(const struct camera *camera, enum ph_depth_format format, int exponent, struct ph_lens *lens)
@@ -77,7 +74,7 @@ int main(void)
         {6554, FX_INT(1000), 1}, {FX_HALF, FX_INT(100), 1}, {FX_ONE, FX_INT(1000), 1}, {1, FX_MAX, 61}};
     for (size_t i = 0; i < sizeof cameras / sizeof cameras[0]; i++) {
         for (int format = 1; format < PH_DEPTH_FORMATS; format++) {
-            const bool is_float = format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+            const bool is_float = ph_depth_traits[format].coding == PH_DEPTH_IS_FLOAT;
             for (int exponent = is_float ? 3 : 0; exponent <= (is_float ? 6 : 0); exponent++) {
                 if (check(&cameras[i], (enum ph_depth_format)format, exponent) != 0) {
                     return EXIT_FAILURE;

@@ -37,6 +37,30 @@ static const char *name_of(struct option_depth format)
     return option_text_depth_name(format, text);
 }
 
+/* What the other tests and the oracles take from the table stands here once more. */
+static void the_traits_are_those_of_the_formulas(void **state)
+{
+    (void)state;
+    static const char *const names[] = {PH_DEPTH_NAMES};
+    static const struct {
+        const char *name;
+        uint8_t format, coding, bits, bytes;
+    } known[] = {{"auto", PH_DEPTH_AUTO, PH_DEPTH_IS_FIXED, 16, 2},
+                 {"fixed16", PH_DEPTH_FIXED16, PH_DEPTH_IS_FIXED, 16, 2},
+                 {"float16", PH_DEPTH_FLOAT16, PH_DEPTH_IS_FLOAT, 16, 2},
+                 {"fixed24", PH_DEPTH_FIXED24, PH_DEPTH_IS_FIXED, 24, 4},
+                 {"float24", PH_DEPTH_FLOAT24, PH_DEPTH_IS_FLOAT, 24, 4},
+                 {"linear-w", PH_DEPTH_LINEAR_W, PH_DEPTH_IS_LINEAR, 16, 2}};
+    for (unsigned i = 0; i < sizeof known / sizeof known[0]; i++) {
+        const struct ph_depth_traits *const traits = &ph_depth_traits[known[i].format];
+        assert_int_equal(known[i].format, i); /* what stands in files stays what it was */
+        assert_string_equal(names[known[i].format], known[i].name);
+        assert_int_equal(traits->coding, known[i].coding);
+        assert_int_equal(traits->bits, known[i].bits);
+        assert_int_equal(ph_depth_bytes(known[i].format), known[i].bytes);
+    }
+}
+
 /* A camera with one of the formats. */
 struct bench {
     struct rig rig;
@@ -428,6 +452,7 @@ static void formats_take_two_or_four_bytes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_traits_are_those_of_the_formulas),
         cmocka_unit_test(formats_resolve_what_the_table_says),
         cmocka_unit_test(vertices_get_the_codes_of_the_definition),
         cmocka_unit_test(codes_never_rise_with_distance),

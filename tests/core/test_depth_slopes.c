@@ -173,8 +173,7 @@ static int128 near_of(const struct rig *rig)
 {
     const struct ph_lens *lens = &rig->r.lens;
     const int128 n = (int128)lens->near_z * (512 - (512 >> head_of(rig))) << 47;
-    const bool is_fixed =
-        rig->r.stats.depth_format == PH_DEPTH_FIXED16 || rig->r.stats.depth_format == PH_DEPTH_FIXED24;
+    const bool is_fixed = ph_depth_traits[rig->r.stats.depth_format].coding == PH_DEPTH_IS_FIXED;
     return is_fixed ? n / (lens->far_z - lens->near_z) * lens->far_z : n; /* the planes here are far apart */
 }
 
@@ -227,11 +226,11 @@ static double code_exact(const struct rig *rig, double over_w)
     const enum ph_depth_format format = (enum ph_depth_format)rig->r.stats.depth_format;
     const double d = fmax(over_w - ldexp((double)near_of(rig), -56) / lens->far_z, 0);
     const double unit = ph_depth_bytes(format) == 4 ? 256 : 1;
-    if (format == PH_DEPTH_LINEAR_W) {
+    if (ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR) {
         const double w = lens->near_z * (511. / 512) / over_w;
         return 65408 * (lens->far_z - w) / ((double)lens->far_z - lens->near_z) + 16;
     }
-    if (format == PH_DEPTH_FIXED16 || format == PH_DEPTH_FIXED24) {
+    if (ph_depth_traits[format].coding == PH_DEPTH_IS_FIXED) {
         return unit * (65536 * d + 16.25);
     }
     const int bits = rig->r.stats.depth_exponent, top = 1 << bits;
@@ -565,7 +564,7 @@ static void other_cameras_have_one_depth_on_all_surfaces_too(void **state)
     int unlike = 0;
     (void)state;
     ref_seed(14);
-    for (unsigned format = PH_DEPTH_FIXED16; format <= PH_DEPTH_LINEAR_W; format++) {
+    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
         for (int n = 0; n < 24; n++) {
             const enum view view = (enum view)(n % VIEWS);
             struct ph_projection projection;
@@ -742,7 +741,7 @@ static int floor_before_wall(enum ph_depth_format format, const struct lens *len
 static void no_floor_covers_a_wall_in_front_of_it(void **state)
 {
     (void)state;
-    for (unsigned format = PH_DEPTH_FIXED16; format <= PH_DEPTH_LINEAR_W; format++) {
+    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
         assert_int_equal(floor_before_wall(format, &(struct lens){.5, 100}, 60, 80, 66.67, 1), 0);
         if (format != PH_DEPTH_FIXED16) { /* which cannot tell these distances apart: see depth.h */
             assert_int_equal(floor_before_wall(format, &(struct lens){.1, 1000}, 30, 1000, 60, 2), 0);
@@ -816,7 +815,7 @@ static void a_decal_lies_on_a_surface_that_leans_away(void **state)
 {
     static const int shadings[] = {PH_SHADE_UNLIT, PH_SHADE_TEXTURE};
     (void)state;
-    for (unsigned format = PH_DEPTH_FIXED16; format <= PH_DEPTH_LINEAR_W; format++) {
+    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
         for (int i = 0; i < 2; i++) {
             int hidden = 0, shown = 0, through = 0, fought = 0;
             decal_on_floor(format, 0, shadings[i], &fought, &shown, &through);
@@ -932,7 +931,7 @@ static void of_a_sphere_drawn_twice_only_the_first_shows(void **state)
     static struct sphere s;
     (void)state;
     sphere_build(&s);
-    for (unsigned format = PH_DEPTH_FIXED16; format <= PH_DEPTH_LINEAR_W; format++) {
+    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
         draw_twice(&s, (enum ph_depth_format)format, false);
         draw_twice(&s, (enum ph_depth_format)format, true);
     }

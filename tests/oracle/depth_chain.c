@@ -5,14 +5,14 @@
 
 static bool is_float(enum ph_depth_format format)
 {
-    return format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+    return ph_depth_traits[format].coding == PH_DEPTH_IS_FLOAT;
 }
 
 uint32_t depth_chain(const struct ph_lens *lens, enum ph_depth_format format, fx_t w)
 {
     const struct ph_quotient quotient = ph_depth_quotient(lens, w);
     const int down = ph_depth_bytes(format) == 4 ? 8 : 16;
-    if (format == PH_DEPTH_LINEAR_W) {
+    if (ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR) {
         struct ph_linear linear = lens->linear;
         linear.down = (int8_t)(linear.down - quotient.s);
         return ph_depth_linear(&linear, quotient.q >> 2) >> 16;
@@ -31,7 +31,7 @@ double depth_exact(const struct ph_lens *lens, enum ph_depth_format format, doub
 {
     const int bits = is_float(format) ? lens->float_down + 1 : 4; /* of exponent */
     const double head_room = 1 - ldexp(1, bits > 4 ? bits - 13 : -9), near_z = lens->near_z, far_z = lens->far_z;
-    if (format == PH_DEPTH_LINEAR_W) {
+    if (ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR) {
         return 65536 * head_room * (far_z - w) / (far_z - near_z) + 16;
     }
     const double d = fmax(near_z * head_room * (1 / w - 1 / far_z), 0), unit = ph_depth_bytes(format) == 4 ? 256 : 1;

@@ -124,11 +124,11 @@ static double complementary(int bits, double code)
 double rig_format_distance(enum ph_depth_format format, int bits, double code, double near_z, double far_z)
 {
     double n = near_z * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
-    if (format == PH_DEPTH_LINEAR_W) {
+    if (ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR) {
         return far_z - (code - 16) / (65536 * (1 - 1. / 512)) * (far_z - near_z);
     }
     double unit = ph_depth_bytes(format) == 4 ? 256 : 1;
-    if (format == PH_DEPTH_FIXED16 || format == PH_DEPTH_FIXED24) {
+    if (ph_depth_traits[format].coding == PH_DEPTH_IS_FIXED) {
         n *= fmin(far_z / (far_z - near_z), 8);
     }
     return n / (complementary(bits, code / unit) + n / far_z);

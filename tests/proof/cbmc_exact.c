@@ -9,9 +9,8 @@
 static void any_codes(struct ph_renderer *r, struct ph_exact *e)
 {
     r->lens = any_lens();
-    r->stats.depth_format = (uint8_t)u32_between(0, PH_DEPTH_FORMATS - 1);
-    ASSUME(r->lens.far_s >= 0 || r->stats.depth_format == PH_DEPTH_FIXED16 ||
-           r->stats.depth_format == PH_DEPTH_FIXED24);
+    r->depth = ph_depth_traits[u32_between(0, PH_DEPTH_FORMATS - 1)];
+    ASSUME(r->lens.far_s >= 0 || r->depth.coding == PH_DEPTH_IS_FIXED);
     set_codes(e, r);
 }
 
@@ -51,8 +50,8 @@ void proof_set_run(void)
     in_view(&r.lens, &t);
     const int a = t.at[0].s, b = t.at[1].s, c = t.at[2].s, ab = a < b ? a : b, least = ab < c ? ab : c;
     const uint64_t d = (uint64_t)i64_between(0, (DEPTHS << 16) - 1);
-    ASSUME(least >= 0 || e->kind == FIXED);
-    ASSUME(e->kind == FIXED || d >> (56 - least) == 0); /* no depth is above that of the nearest corner */
+    ASSUME(least >= 0 || e->coding == PH_DEPTH_IS_FIXED);
+    ASSUME(e->coding == PH_DEPTH_IS_FIXED || d >> (56 - least) == 0); /* no depth is above that of the nearest corner */
     *linear = r.lens.linear;
     linear->down = (int8_t)(linear->down - least); /* setup_linear */
     const int octave = octave_of(e, d);

@@ -89,7 +89,7 @@ void proof_setting(void)
     texture.log2_width = (uint8_t)u32_between(0, 10);
     texture.log2_height = (uint8_t)u32_between(0, 10);
     material.shading = nondet_u32();
-    r.stats.depth_format = (uint8_t)u32_between(0, PH_DEPTH_FORMATS - 1);
+    r.depth = ph_depth_traits[u32_between(0, PH_DEPTH_FORMATS - 1)];
     r.lens = any_lens();
     ph_setting_of(&s, &r, &draw);
 }

@@ -23,6 +23,7 @@ static inline uint32_t fx_rcp16(uint32_t d)
     return u32_between(1 << 15, (1 << 16) - 1);
 }
 
+#include "../../firmware/core/render/depth_formats.c"
 #include "depth.h"
 
 #define LEAST_Q (((uint32_t)1 << 30) - ((uint32_t)1 << 23)) /* 2^30 (1 - 2^-7): Gappa, with 6 bits of exponent */

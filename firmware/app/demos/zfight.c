@@ -16,6 +16,7 @@
 
 #define LOOP_FRAMES 256
 #define PAIRS       6
+#define TITLE       10 /* bytes of a label */
 #define NEAR_Z      (FX_ONE / 4)
 #define FAR_Z       FX_INT(200)
 #define GAP         (FX_ONE / 64) /* between the plates of a pair */
@@ -167,20 +168,28 @@ static void draw_right(struct ph_renderer *right, uint32_t band, uint16_t *pixel
     }
 }
 
+/* The name of a depth format in capitals, as far as its first word goes. */
+static void title_of(unsigned format, char title[TITLE])
+{
+    static const char *const names[] = {PH_DEPTH_NAMES};
+    const char *const name = names[format];
+    int n = 0;
+    for (; n < TITLE - 1 && name[n] != '\0' && name[n] != '-'; n++) {
+        title[n] = name[n] >= 'a' && name[n] <= 'z' ? (char)(name[n] - 'a' + 'A') : name[n];
+    }
+    title[n] = '\0';
+}
+
 /* Labels a side whose left border is at x: the format, and the distance of each pair that is large enough. */
 static void label(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
                   uint16_t *pixels, int32_t x, unsigned format)
 {
-    static const char *const formats[PH_DEPTH_FORMATS] = {[PH_DEPTH_FIXED16] = "FIXED16",
-                                                          [PH_DEPTH_FLOAT16] = "FLOAT16",
-                                                          [PH_DEPTH_FIXED24] = "FIXED24",
-                                                          [PH_DEPTH_FLOAT24] = "FLOAT24",
-                                                          [PH_DEPTH_LINEAR_W] = "LINEAR"};
+    char name[TITLE];
+    title_of(format, name);
     const struct layout l = layout_of(context);
-    const int32_t w = context->width / 2, h = context->height, text = ph_overlay_width(formats[format], 1);
+    const int32_t w = context->width / 2, h = context->height, text = ph_overlay_width(name, 1);
     const int32_t down = x > 0 && text > w ? PH_FONT_HEIGHT : 0; /* without room beside it, one below the other */
-    demo_text(r, band, lines, pixels, x + (text > w ? (x > 0 ? w - text : 0) : (w - text) / 2), h / 32 + down,
-              formats[format]);
+    demo_text(r, band, lines, pixels, x + (text > w ? (x > 0 ? w - text : 0) : (w - text) / 2), h / 32 + down, name);
     for (int32_t i = 0; i < PAIRS && w / l.columns > 2 * ph_overlay_width("100", 1); i++) {
         int32_t x2, y2;
         place_of(&l, i, &x2, &y2);

@@ -1,12 +1,17 @@
 /* See lab_formats.h. The formats that the tables of the depth lab have a row for. */
 #include "lab_formats.h"
 
+/* A format of the renderer, and the floats with each number of bits of exponent, as other formats are no floats. */
+#define DRAWN(id, name, coding, bits, octaves, small)     {name, LAB_DRAWN, bits, PH_DEPTH_##id, 0},
+#define EXPONENTS(id, name, coding, bits, octaves, small) EXPONENTS_##coding(id, name, bits)
+#define EXPONENTS_FIXED(id, name, bits)
+#define EXPONENTS_LINEAR(id, name, bits)
+#define EXPONENTS_FLOAT(id, name, bits)                                                                                \
+    {name "-e3", LAB_DRAWN, bits, PH_DEPTH_##id, 3}, {name "-e4", LAB_DRAWN, bits, PH_DEPTH_##id, 4},                  \
+        {name "-e5", LAB_DRAWN, bits, PH_DEPTH_##id, 5}, {name "-e6", LAB_DRAWN, bits, PH_DEPTH_##id, 6},
+
 const struct lab_format lab_formats[] = {
-    {"fixed16", LAB_DRAWN, 16, PH_DEPTH_FIXED16, 0},
-    {"float16", LAB_DRAWN, 16, PH_DEPTH_FLOAT16, 0},
-    {"fixed24", LAB_DRAWN, 24, PH_DEPTH_FIXED24, 0},
-    {"float24", LAB_DRAWN, 24, PH_DEPTH_FLOAT24, 0},
-    {"linear-w", LAB_DRAWN, 16, PH_DEPTH_LINEAR_W, 0},
+    PH_DEPTH_EACH(DRAWN) /* clang-format off */
     {"linear-w", LAB_LINEAR, 24, 0, 0},
     {"over-w", LAB_OVER_W, 16, 0, 4},
     {"over-w", LAB_OVER_W, 24, 0, 4},
@@ -18,14 +23,7 @@ const struct lab_format lab_formats[] = {
     {"clip-q16", LAB_CLIP_Q16, 24, 0, 0},
     {"log", LAB_LOG, 16, 0, 0},
     {"log", LAB_LOG, 24, 0, 0},
-    {"float16-e3", LAB_DRAWN, 16, PH_DEPTH_FLOAT16, 3},
-    {"float16-e4", LAB_DRAWN, 16, PH_DEPTH_FLOAT16, 4},
-    {"float16-e5", LAB_DRAWN, 16, PH_DEPTH_FLOAT16, 5},
-    {"float16-e6", LAB_DRAWN, 16, PH_DEPTH_FLOAT16, 6},
-    {"float24-e3", LAB_DRAWN, 24, PH_DEPTH_FLOAT24, 3},
-    {"float24-e4", LAB_DRAWN, 24, PH_DEPTH_FLOAT24, 4},
-    {"float24-e5", LAB_DRAWN, 24, PH_DEPTH_FLOAT24, 5},
-    {"float24-e6", LAB_DRAWN, 24, PH_DEPTH_FLOAT24, 6},
+    PH_DEPTH_EACH(EXPONENTS) /* clang-format on */
 };
 
 const uint32_t lab_format_count = sizeof lab_formats / sizeof lab_formats[0];
@@ -36,6 +34,6 @@ int lab_exponent(const struct lab_format *format, fx_t near_z, fx_t far_z)
     if (format->kind != LAB_DRAWN) {
         return format->exponent;
     }
-    const bool is_float = format->format == PH_DEPTH_FLOAT16 || format->format == PH_DEPTH_FLOAT24;
+    const bool is_float = ph_depth_traits[format->format].coding == PH_DEPTH_IS_FLOAT;
     return !is_float || format->exponent != 0 ? format->exponent : (int)ph_depth_choose_exponent(&p);
 }

@@ -31,10 +31,10 @@ static inline int32_t depth_of(const struct ph_blur *b, uint32_t code)
     if (b->wide) {
         code >>= 8;
     }
-    if (b->depth_format == PH_DEPTH_FIXED16 || b->depth_format == PH_DEPTH_FIXED24) {
+    if (b->coding == PH_DEPTH_IS_FIXED) {
         return (int32_t)code * 16 - 260;
     }
-    if (b->depth_format == PH_DEPTH_LINEAR_W) {
+    if (b->coding == PH_DEPTH_IS_LINEAR) {
         return depth_of_linear(b, code);
     }
     const int mantissa = 15 - b->lens.float_down, least = (2 << b->lens.float_down) + mantissa - 21;
@@ -95,8 +95,7 @@ int ph_blur_begin(struct ph_blur *blur, const struct ph_renderer *r, void *scrat
     if (bytes < PH_BLUR_BYTES(width, lines, focus->radius)) {
         return PH_ERR_NOMEM;
     }
-    struct ph_blur b = {
-        .colours = scratch, .radius = focus->radius, .depth_format = r->stats.depth_format, .lens = r->lens};
+    struct ph_blur b = {.colours = scratch, .radius = focus->radius, .coding = r->depth.coding, .lens = r->lens};
     b.wide = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
     b.lines = (uint32_t)PH_BLUR_LINES(lines, focus->radius);
     b.blurs = (int8_t *)(b.colours + width * b.lines);

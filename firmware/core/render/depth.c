@@ -8,11 +8,6 @@ PH_TIER(mesh) static inline uint32_t fx_rcp_norm(uint32_t w, int *shift);
 
 #include "depth.h"
 
-size_t ph_depth_bytes(unsigned format)
-{
-    return format == PH_DEPTH_FIXED24 || format == PH_DEPTH_FLOAT24 ? sizeof(uint32_t) : sizeof(uint16_t);
-}
-
 enum ph_depth_format ph_depth_choose(const struct ph_projection *projection)
 {
     if (projection->kind == PH_ORTHOGRAPHIC ||

@@ -67,6 +67,14 @@
 #define PH_DEPTH_BIAS_FIXED16 ((uint32_t)65 << 14)
 #define PH_DEPTH_BIAS_FLOAT16 ((uint32_t)8 << 16)
 
+/* How the codes of a frame are made. Under an orthographic projection the distance is linear in d, so d is the code. */
+static inline enum ph_depth_coding ph_depth_coding(const struct ph_renderer *r)
+{
+    const unsigned coding = r->depth.coding;
+    return coding == PH_DEPTH_IS_LINEAR && r->lens.kind == PH_ORTHOGRAPHIC ? PH_DEPTH_IS_FIXED
+                                                                           : (enum ph_depth_coding)coding;
+}
+
 /* The head room of d is 2^-this: 2^-9, or what 16 codes take where a float has more bits of exponent. */
 static inline int ph_depth_head(const struct ph_lens *lens)
 {

@@ -4,8 +4,6 @@
 #include "edge.h"
 #include "planes.h"
 
-enum { FIXED, FLOAT, LINEAR }; /* how a depth becomes codes */
-
 PH_TIER(seldom) static void store(uint32_t to[2], uint64_t value)
 {
     to[0] = (uint32_t)value;
@@ -58,12 +56,9 @@ static void set_plane(struct ph_exact *e, const int64_t d[3], const struct ph_ve
 /* How depth becomes codes. */
 PH_TIER(seldom) static void set_codes(struct ph_exact *e, const struct ph_renderer *r)
 {
-    const unsigned format = r->stats.depth_format;
-    const bool linear = format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC;
-    const bool floats = format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
-    e->kind = linear ? LINEAR : floats ? FLOAT : FIXED;
-    e->down = (int8_t)(linear ? r->lens.linear.down : r->lens.float_down);
-    e->unit = (uint8_t)(floats ? 24 + r->lens.float_down : 27);
+    e->coding = (uint8_t)ph_depth_coding(r);
+    e->down = (int8_t)(e->coding == PH_DEPTH_IS_LINEAR ? r->lens.linear.down : r->lens.float_down);
+    e->unit = (uint8_t)(e->coding == PH_DEPTH_IS_FLOAT ? 24 + r->lens.float_down : 27);
 }
 
 /* The lowest octave of a float. */
@@ -77,7 +72,9 @@ PH_TIER(seldom) static int lowest_of(const struct ph_exact *e)
 PH_TIER(seldom) static int octave_of(const struct ph_exact *e, uint64_t d)
 {
     const uint32_t high = (uint32_t)(d >> 24);
-    return e->kind == FIXED ? 3 : e->kind == FLOAT ? ph_depth_octave(high, lowest_of(e)) : ph_min(fx_clz32(high), 30);
+    return e->coding == PH_DEPTH_IS_FIXED   ? 3
+           : e->coding == PH_DEPTH_IS_FLOAT ? ph_depth_octave(high, lowest_of(e))
+                                            : ph_min(fx_clz32(high), 30);
 }
 
 /* A depth or a gradient in the unit of codes, which is `down` bits larger. halves: 0 cuts it off, 1 rounds it. */
@@ -103,7 +100,7 @@ PH_TIER(seldom) static void lift(struct ph_exact *e, struct ph_linear *linear, u
     const uint64_t gx = load(e->gx), gy = load(e->gy);
     const uint64_t right = (int64_t)gx < 0 ? 0u - gx : gx, below = (int64_t)gy < 0 ? 0u - gy : gy;
     const uint64_t part = (right > below ? right : below) >> 4, by = part < size / slope ? part * slope : size;
-    if (e->kind == LINEAR) {
+    if (e->coding == PH_DEPTH_IS_LINEAR) {
         const uint32_t codes = (linear_code(e, linear, low + by) - linear_code(e, linear, low)) >> 16;
         const uint32_t most = (UINT32_MAX - linear_code(e, linear, high)) >> 16, bias = linear->bias;
         const uint32_t more = codes < most ? codes : most;
@@ -123,7 +120,7 @@ void ph_set_exact(const struct ph_renderer *r, const struct ph_material *materia
     int64_t d[3];
     set_codes(e, r);
     for (int i = 0; i < 3; i++) {
-        const int64_t far = e->kind == LINEAR ? 0 : in_40_bits(r->lens.far_q, r->lens.far_s);
+        const int64_t far = e->coding == PH_DEPTH_IS_LINEAR ? 0 : in_40_bits(r->lens.far_q, r->lens.far_s);
         const int64_t before = in_40_bits(v[i]->q, v[i]->s) - far;
         d[i] = before > 0 ? before : 0;
     }
@@ -142,9 +139,9 @@ struct range {
 PH_TIER(seldom) static struct range range_of(const struct ph_exact *e, int octave)
 {
     const uint64_t low = load(e->low), high = low + load(e->size), half = (uint64_t)1 << (55 - octave);
-    const uint64_t first = e->kind == FLOAT && octave == lowest_of(e) ? 0 : half;
-    const uint64_t bottom = e->kind != FIXED && first > low ? first : low;
-    const uint64_t top = e->kind != FIXED && 2 * half - 1 < high ? 2 * half - 1 : high;
+    const uint64_t first = e->coding == PH_DEPTH_IS_FLOAT && octave == lowest_of(e) ? 0 : half;
+    const uint64_t bottom = e->coding != PH_DEPTH_IS_FIXED && first > low ? first : low;
+    const uint64_t top = e->coding != PH_DEPTH_IS_FIXED && 2 * half - 1 < high ? 2 * half - 1 : high;
     return (struct range){bottom, top - bottom};
 }
 
@@ -163,9 +160,9 @@ PH_TIER(seldom)
 static uint32_t offset_of(const struct ph_exact *e, const struct ph_material *material, int octave)
 {
     const uint32_t bias = ph_depth_bias(material);
-    return e->kind == LINEAR  ? 0
-           : e->kind == FLOAT ? ph_depth_float16_offset(octave, 0, e->down) + (bias << 13)
-                              : PH_DEPTH_BIAS_FIXED16 + (bias << 16);
+    return e->coding == PH_DEPTH_IS_LINEAR  ? 0
+           : e->coding == PH_DEPTH_IS_FLOAT ? ph_depth_float16_offset(octave, 0, e->down) + (bias << 13)
+                                            : PH_DEPTH_BIAS_FIXED16 + (bias << 16);
 }
 
 PH_TIER(seldom) static struct ph_plane scaled(const struct ph_plane *p, int up)
@@ -200,7 +197,7 @@ static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_
     const uint32_t offset = offset_of(e, t->material, octave);
     run->as.large.depth.as.plane = (struct ph_plane){in_codes(d, down, 0) + offset - x * gx - y * gy, gx, gy};
     run->block = PH_BLOCK_NONE;
-    if (e->kind == LINEAR) {
+    if (e->coding == PH_DEPTH_IS_LINEAR) {
         scale_linear(t, octave, run);
     }
 }

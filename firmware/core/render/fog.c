@@ -14,21 +14,21 @@
 static uint32_t code_at(const struct ph_renderer *r, fx_t w)
 {
     const struct ph_lens *const lens = &r->lens;
-    const unsigned format = r->stats.depth_format;
+    const enum ph_depth_coding coding = ph_depth_coding(r);
     struct ph_vertex v = {.code = 0};
     const struct ph_vertex *const corners[3] = {&v, &v, &v};
     uint32_t d[3];
     ph_vertex_depth(&v, ph_depth_quotient(lens, w));
-    if (format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24) {
+    if (coding == PH_DEPTH_IS_FLOAT) {
         ph_block_depths(r, corners, 0, d);
-    } else if (format == PH_DEPTH_LINEAR_W && lens->kind != PH_ORTHOGRAPHIC) {
+    } else if (coding == PH_DEPTH_IS_LINEAR) {
         struct ph_linear linear = lens->linear;
         linear.down = (int8_t)(linear.down - v.s);
         d[0] = ph_depth_linear(&linear, v.q >> 2);
     } else {
         d[0] = ph_depth_at(lens, (struct ph_quotient){v.q, v.s}, 0) + PH_DEPTH_BIAS_FIXED16;
     }
-    return d[0] >> (ph_depth_bytes(format) == sizeof(uint32_t) ? 8 : 16);
+    return d[0] >> (32 - r->depth.bits);
 }
 
 void ph_fog_start(struct ph_fog_here *fog, const struct ph_renderer *r, uint16_t colour)

@@ -118,7 +118,7 @@ static void lens_depth(struct ph_lens *lens, const struct ph_projection *p, unsi
         lens->near_shift = (int8_t)shift;
         return; /* far_q stays 0: d is 0 at the far plane already */
     }
-    const bool is_fixed = format == PH_DEPTH_FIXED16 || format == PH_DEPTH_FIXED24;
+    const bool is_fixed = ph_depth_traits[format].coding == PH_DEPTH_IS_FIXED;
     const uint32_t norm = is_fixed ? stretched_near(p, &shift) : (uint32_t)p->near_z << shift;
     lens->near_shift = (int8_t)shift;
     lens->depth_scale = norm - (norm >> ph_depth_head(lens));
@@ -173,7 +173,7 @@ static unsigned choose_format(const struct ph_config *config, const struct ph_pr
                               unsigned *exponent)
 {
     const unsigned format = config->depth_format == PH_DEPTH_AUTO ? ph_depth_choose(projection) : config->depth_format;
-    const bool is_float = format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+    const bool is_float = ph_depth_traits[format].coding == PH_DEPTH_IS_FLOAT;
     *exponent = !is_float                     ? 0
                 : config->depth_exponent != 0 ? config->depth_exponent
                                               : ph_depth_choose_exponent(projection);
@@ -200,6 +200,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     r->light = light != NULL ? *light : full;
     r->background = background;
     r->fog = NULL;
+    r->depth = ph_depth_traits[format];
     r->stats = (struct ph_stats){.depth_format = (uint8_t)format, .depth_exponent = (uint8_t)exponent};
     ph_list_begin(r);
     return PH_OK;

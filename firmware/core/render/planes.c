@@ -17,8 +17,6 @@ PH_TIER(scenery) static inline int fx_clz32(uint32_t v);
 
 enum {
     STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
-    FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross: with more, its far end would have too few bits */
-    FLOAT24_OCTAVES = 2,
     SMALL_UP = 2,        /* octaves: see ph_small_plane_does */
     KNEE_ROOM = 8 << 16, /* 16.16 codes */
     LINEAR_ZEROS = 7,    /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
@@ -360,18 +358,17 @@ static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct pl
                                     const struct ph_vertex *const v[3], uint32_t bias, struct ph_plane *depth,
                                     uint8_t *block)
 {
-    const bool float16 = r->stats.depth_format == PH_DEPTH_FLOAT16;
+    const bool is_short = r->depth.bits <= 16;
     uint32_t d[3];
     *block = ph_block_depths(r, v, bias, d);
-    const int halved = depth_plane(s, !float16 || *block != PH_BLOCK_NONE, d, depth);
+    const int halved = depth_plane(s, !is_short || *block != PH_BLOCK_NONE, d, depth);
     if (*block == PH_BLOCK_NONE) {
         return halved <= 0 && !is_steep(s->sides, depth, STEEP);
     }
     const struct octaves at = octaves_of(d, *block);
     const int octaves = at.far - at.near, down = r->lens.float_down; /* codes are as steep as d in octave `down` */
-    round_depth(depth, float16 ? down : ph_max(down - at.near, 0));
-    return halved <= 0 && octaves <= (float16 ? FLOAT16_OCTAVES : FLOAT24_OCTAVES) &&
-           !is_steep(s->sides, depth, ph_max(STEEP + down - at.far, 32));
+    round_depth(depth, is_short ? down : ph_max(down - at.near, 0));
+    return halved <= 0 && octaves <= r->depth.octaves && !is_steep(s->sides, depth, ph_max(STEEP + down - at.far, 32));
 }
 
 /* Sets depth for linear-w: the plane of N/w, and how it becomes a code. False if 32 bits are not enough. */
@@ -399,19 +396,19 @@ static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct pl
                                     struct ph_depth *depth, uint8_t *block)
 {
     const uint32_t bias = ph_depth_bias(material);
-    const unsigned format = r->stats.depth_format;
+    const enum ph_depth_coding coding = ph_depth_coding(r);
     struct ph_plane *const plane = &depth->as.plane;
     uint32_t d[3];
-    if (format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24) {
+    if (coding == PH_DEPTH_IS_FLOAT) {
         return setup_float(r, s, v, bias, plane, block);
     }
-    if (format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC) {
+    if (coding == PH_DEPTH_IS_LINEAR) {
         *block = PH_BLOCK_LINEAR;
         return setup_linear(r, s, v, bias, depth);
     }
     *block = PH_BLOCK_NONE;
     fixed_depths(r, v, bias, d);
-    return depth_plane(s, format != PH_DEPTH_FIXED16, d, plane) <= 0 && !is_steep(s->sides, plane, STEEP);
+    return depth_plane(s, !r->depth.is_small, d, plane) <= 0 && !is_steep(s->sides, plane, STEEP);
 }
 
 /* Finds u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */

@@ -234,7 +234,7 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     }
     if (s->draw.material->depth_bias_slope != 0) {
         fits = false;
-    } else if (small && (colours || t->kind == PH_KIND_TEXTURE) && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
+    } else if (small && (colours || t->kind == PH_KIND_TEXTURE) && r->depth.is_small) {
         fits = take_small_depth(t, s, v, sides, fits);
     }
     if (!fits && !is_empty(t)) {
@@ -265,14 +265,14 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->draw = *draw;
     s->fast.base = ph_at(r, draw->base);
     s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL &&
-                  material->depth_bias_slope == 0 && r->stats.depth_format <= PH_DEPTH_FLOAT16 &&
+                  material->depth_bias_slope == 0 && r->depth.is_small &&
                   (!textured || ph_texels_fit(material->texture));
     s->fast.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
     s->shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
     s->has_samples = r->samples_log2 != 0;
     s->takes_narrow = s->shading == PH_SHADE_TEXTURE || s->has_samples;
     s->keeps_light = s->shading == PH_SHADE_GOURAUD && !s->has_samples;
-    s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
+    s->floats = r->depth.coding == PH_DEPTH_IS_FLOAT;
     s->fast.lens = s->floats ? &r->lens : NULL;
     s->fast.side = PH_SIDE_SMALL;
     s->fast.margin = PH_SIDE_SMALL + 256;

@@ -72,9 +72,9 @@ static inline void ph_small_lower(struct ph_small_triangle *small)
 struct ph_exact {
     uint32_t base[2], gx[2], gy[2]; /* as in struct ph_plane */
     uint32_t low[2], size[2];       /* range of the corners */
-    uint8_t kind;
-    uint8_t unit; /* codes are as steep as a depth in 2^-(56 - unit) is in octave 0 */
-    int8_t down;  /* linear-w: that of the lens; floats: bits of exponent less 1 */
+    uint8_t coding;                 /* enum ph_depth_coding */
+    uint8_t unit;                   /* codes are as steep as a depth in 2^-(56 - unit) is in octave 0 */
+    int8_t down;                    /* linear-w: that of the lens; floats: bits of exponent less 1 */
 };
 
 /* Depth over a triangle that is not small, or over a line in any format. */
