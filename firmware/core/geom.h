@@ -17,6 +17,7 @@
 #include "fx.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -99,6 +100,8 @@ struct fx_vec3 ph_xform_direction_q30(const struct ph_xform *a, struct fx_vec3 d
  */
 struct ph_xform ph_view_look_at(struct fx_vec3 eye, struct fx_vec3 target, struct fx_vec3 up);
 
+struct ph_curved_lens; /* draws through a lens that bends straight lines; see fisheye.h of the renderer */
+
 enum ph_projection_kind { PH_PERSPECTIVE, PH_ORTHOGRAPHIC, PH_FISHEYE };
 
 /*
@@ -107,12 +110,14 @@ enum ph_projection_kind { PH_PERSPECTIVE, PH_ORTHOGRAPHIC, PH_FISHEYE };
  * A fisheye has no matrix. It is equidistant: a point at the angle theta from the view direction lies f theta from the
  * centre, with the same f on both axes. Its scales are half heights of the picture per radian. Its depth, near_z and
  * far_z are distances from the eye. See fisheye.c.
+ * A program that calls ph_projection_fisheye() links what draws with it; no other program does.
  */
 struct ph_projection {
     enum ph_projection_kind kind;
     int32_t scale_x_q20, scale_y_q20; /* Q12.20 */
     fx_t shift_x, shift_y;
     fx_t near_z, far_z; /* distances along the view (fisheye: from the eye); a perspective's are positive */
+    const struct ph_curved_lens *curved; /* fisheye: set by ph_projection_fisheye(); else NULL */
 };
 
 /*

@@ -179,7 +179,8 @@ static enum ph_convention convention(int32_t a)
 
 static struct ph_projection volume(const int32_t *a)
 {
-    return (struct ph_projection){(enum ph_projection_kind)((uint32_t)a[0] % 3), a[1], a[2], a[3], a[4], a[5], a[6]};
+    return (struct ph_projection){
+        (enum ph_projection_kind)((uint32_t)a[0] % 3), a[1], a[2], a[3], a[4], a[5], a[6], NULL};
 }
 
 static struct ph_mat4 matrix(const int32_t *a)

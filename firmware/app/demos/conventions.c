@@ -36,7 +36,7 @@ struct conventions {
 /* "-Z W>0" and "-1 TO 1": the sign of z in front of the camera and of w there; depth at the near and the far plane. */
 static int describe(enum ph_convention convention, char texts[TEXTS][3 + 2 * FX_TEXT_SIZE])
 {
-    static const struct ph_projection p = {PH_PERSPECTIVE, 1 << 20, 1 << 20, 0, 0, NEAR_Z, FAR_Z};
+    static const struct ph_projection p = {PH_PERSPECTIVE, 1 << 20, 1 << 20, 0, 0, NEAR_Z, FAR_Z, NULL};
     const fx_t sign = convention == PH_D3D ? 1 : -1;
     struct ph_mat4 m;
     const int status = ph_matrix_projection(&m, &p, convention);

@@ -91,7 +91,7 @@ static void make_across(struct pinhole *p)
 /* The cameras, which stand still. */
 static void make_cameras(const struct demo_context *context, struct pinhole *p)
 {
-    static const struct ph_projection seen = {PH_PERSPECTIVE, 1 << 20, 1 << 20, 0, 0, NEAR_Z, FAR_Z};
+    static const struct ph_projection seen = {PH_PERSPECTIVE, 1 << 20, 1 << 20, 0, 0, NEAR_Z, FAR_Z, NULL};
     const struct ph_xform look = demo_look(FX_ONE * 26 / 5, FX_INT(2), FX_ONE * 26 / 5, 0, 0, 0);
     const struct ph_xform back = ph_xform_translate(0, 0, FX_ONE * 9 / 10);
     const struct demo_context half = demo_half(context);

@@ -169,7 +169,7 @@ static void draw_any(const struct cast *c, const uint16_t index[3])
         return;
     }
     if ((any & PH_CLIP) != 0 ||
-        (c->r->lens.kind == PH_FISHEYE && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]))) {
+        (c->r->lens.kind == PH_FISHEYE && !c->r->projection.curved->is_straight(&c->r->lens, v[0], v[1], v[2]))) {
         draw_clipped(c, index);
         return;
     }

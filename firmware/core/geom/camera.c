@@ -97,7 +97,7 @@ int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t 
     if (x <= 0 || x > INT32_MAX || y <= 0 || y > INT32_MAX) {
         return PH_ERR_INVAL;
     }
-    *p = (struct ph_projection){PH_PERSPECTIVE, (int32_t)x, (int32_t)y, 0, 0, near_z, far_z};
+    *p = (struct ph_projection){PH_PERSPECTIVE, (int32_t)x, (int32_t)y, 0, 0, near_z, far_z, NULL};
     return PH_OK;
 }
 

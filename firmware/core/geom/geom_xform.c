@@ -202,7 +202,7 @@ int ph_projection_perspective(struct ph_projection *p, fx_t fov_y_deg, fx_t aspe
     if (scale_x <= 0 || scale_y <= 0 || scale_y == INT32_MAX) {
         return PH_ERR_INVAL;
     }
-    *p = (struct ph_projection){PH_PERSPECTIVE, scale_x, scale_y, 0, 0, near_z, far_z};
+    *p = (struct ph_projection){PH_PERSPECTIVE, scale_x, scale_y, 0, 0, near_z, far_z, NULL};
     return PH_OK;
 }
 
@@ -218,7 +218,7 @@ static int set_volume(struct ph_projection *p, enum ph_projection_kind kind, con
     if (scale_x <= 0 || scale_y <= 0) {
         return PH_ERR_INVAL;
     }
-    *p = (struct ph_projection){kind, scale_x, scale_y, shift_of(x), shift_of(y), near_z, far_z};
+    *p = (struct ph_projection){kind, scale_x, scale_y, shift_of(x), shift_of(y), near_z, far_z, NULL};
     return PH_OK;
 }
 
@@ -231,14 +231,4 @@ int ph_projection_frustum(struct ph_projection *p, fx_t left, fx_t right, fx_t b
 int ph_projection_ortho(struct ph_projection *p, fx_t left, fx_t right, fx_t bottom, fx_t top, fx_t near_z, fx_t far_z)
 {
     return set_volume(p, PH_ORTHOGRAPHIC, (const fx_t[2]){left, right}, (const fx_t[2]){bottom, top}, near_z, far_z);
-}
-
-int ph_projection_fisheye(struct ph_projection *p, fx_t fov_deg, fx_t near_z, fx_t far_z)
-{
-    if (fov_deg < FX_INT(10) || fov_deg > FX_INT(240) || near_z <= 0 || far_z <= near_z) {
-        return PH_ERR_INVAL;
-    }
-    const int32_t scale = ratio(7509872, 20, fov_deg); /* 360 / pi in Q16.16: half heights per radian are 2 / fov */
-    *p = (struct ph_projection){PH_FISHEYE, scale, scale, 0, 0, near_z, far_z};
-    return PH_OK;
 }

@@ -38,7 +38,7 @@ void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, 
                      const struct ph_clip_vertex in[3])
 {
     if (r->lens.kind == PH_FISHEYE) {
-        ph_fisheye_triangle(r, material, kind, in);
+        r->projection.curved->draw_curved(r, material, kind, in);
     } else {
         clip_triangle(r, material, kind, in);
     }
@@ -49,7 +49,7 @@ void ph_draw_clipped_line(struct ph_renderer *r, const struct ph_material *mater
                           const struct ph_clip_vertex ends[2])
 {
     if (r->lens.kind == PH_FISHEYE) {
-        ph_fisheye_line(r, material, ends);
+        r->projection.curved->draw_curved_line(r, material, ends);
         return;
     }
     struct ph_clip_vertex out[PH_CLIP_MAX];

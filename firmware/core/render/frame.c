@@ -134,8 +134,8 @@ static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const 
 {
     const int32_t width = r->config.width, height = r->config.height;
     const struct ph_projection *p = projection;
-    if (p->far_z <= p->near_z || (p->kind != PH_ORTHOGRAPHIC && p->near_z <= 0) || p->scale_x_q20 <= 0 ||
-        p->scale_y_q20 <= 0) {
+    if ((p->kind == PH_FISHEYE && p->curved == NULL) || p->far_z <= p->near_z ||
+        (p->kind != PH_ORTHOGRAPHIC && p->near_z <= 0) || p->scale_x_q20 <= 0 || p->scale_y_q20 <= 0) {
         return PH_ERR_INVAL;
     }
     if (p->shift_x > 2 * FX_ONE || p->shift_x < -2 * FX_ONE || p->shift_y > 2 * FX_ONE || p->shift_y < -2 * FX_ONE) {
@@ -143,7 +143,7 @@ static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const 
     }
     struct ph_lens lens = {.kind = (uint8_t)p->kind, .float_down = (uint8_t)(exponent != 0 ? exponent - 1 : 3)};
     if (p->kind == PH_FISHEYE) {
-        ph_fisheye_lens(&lens, p, height);
+        p->curved->set_lens(&lens, p, height);
     } else if (lens_focal(&lens, p, width, height) != PH_OK) {
         return PH_ERR_RANGE;
     }

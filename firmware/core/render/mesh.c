@@ -28,8 +28,9 @@ struct part_context {
     struct ph_vertex *vertices;
     struct ph_draw draw;
     struct ph_local_lights lights;
-    uint32_t codes; /* clip codes of all vertices, combined by OR */
-    bool lit, two_sided, curved;
+    uint32_t codes;                      /* clip codes of all vertices, combined by OR */
+    const struct ph_curved_lens *curved; /* NULL: straight lines stay straight */
+    bool lit, two_sided;
     bool coloured, lit_coloured; /* the part has lit colours; lit_as has them */
     bool mixed;                  /* the vertices have the lights of several materials */
 };
@@ -112,10 +113,10 @@ static PH_NOINLINE bool draw_any(const struct part_context *c, const uint16_t in
     if ((all & PH_REJECT) != 0) {
         return false;
     }
-    if (c->curved && (any & PH_CLIP) == 0 && ph_fisheye_misses(c->r, v)) {
+    if (c->curved != NULL && (any & PH_CLIP) == 0 && c->curved->misses_picture(c->r, v)) {
         return false;
     }
-    if ((any & PH_CLIP) != 0 || (c->curved && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]))) {
+    if ((any & PH_CLIP) != 0 || (c->curved != NULL && !c->curved->is_straight(&c->r->lens, v[0], v[1], v[2]))) {
         draw_clipped(c, index);
         return true;
     }
@@ -361,7 +362,7 @@ PH_TIER(mesh) static void draw_triangles(struct part_context *c, const struct ph
 {
     const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
     const uint32_t seen = (c->draw.kind & PH_DRAW_ONE_SIDE) != 0 ? draw_sides(c, index, end)
-                          : c->curved || c->two_sided            ? draw_each(c, index, end)
+                          : c->curved != NULL || c->two_sided    ? draw_each(c, index, end)
                                                                  : draw_facing(c, index, end);
     if (c->lit) {
         light_marked(c);
@@ -374,7 +375,7 @@ PH_TIER(few) static PH_NOINLINE void draw_edges(const struct part_context *c)
 {
     const uint16_t(*edge)[2] = c->mesh->edges, (*const end)[2] = edge + c->mesh->edge_count;
     for (;; edge++) {
-        if (!c->curved) {
+        if (c->curved == NULL) {
             edge += ph_list_lines(c->r, edge, (uint32_t)(end - edge), c->vertices);
         }
         if (edge == end) {
@@ -489,7 +490,7 @@ PH_TIER(mesh) static void draw_part(struct part_context *c, const struct ph_part
         return;
     }
     const uint32_t before = ph_ref_count(r);
-    c->curved = r->lens.kind == PH_FISHEYE;
+    c->curved = r->lens.kind == PH_FISHEYE ? r->projection.curved : NULL;
     if (wire) {
         draw_edges(c);
     } else {

@@ -91,7 +91,7 @@ static PH_NOINLINE void place_vertex(const struct ph_renderer *r, int32_t x, int
 {
     const struct ph_lens *lens = &r->lens;
     if (lens->kind == PH_FISHEYE) {
-        ph_fisheye_vertex(lens, x, y, z, v);
+        r->projection.curved->place_curved(lens, x, y, z, v);
         return;
     }
     const int32_t w = lens->kind == PH_PERSPECTIVE ? z : FX_ONE;
