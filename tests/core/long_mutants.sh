@@ -40,7 +40,7 @@ the last of equal texels wins            | kernels/portable/texel_row_portable.h
 the last of equal lit texels wins        | render/span.h    | /ph_nearer16/,/^}/ s/code <= /code < /               | test_texture
 triangles not carried to the next band   | render/bands.c   | s/(t->y_bottom <= y1)/(t->y_bottom <= y1 + 1)/       | test_raster
 a carried triangle begins where it did   | render/raster.c  | s/t->y_top = (int16_t)y1;//                          | test_cores
-triangles not carried by two cores       | render/bands.c   | s/(list->y_bottom <= y1)/(list->y_bottom <= y1 + 1)/ | test_cores
+triangles not carried by two cores       | render/bands_cores.c | s/(list->y_bottom <= y1)/(list->y_bottom <= y1 + 1)/ | test_cores
 triangles drawn in reverse               | render/list.h    | s/return r->list.top - 1 - n;/return r->list.to + n;/ | test_raster
 depth not cleared                        | render/bands.c   | s/ph_fill(rows->depth.*//                            | test_raster
 no clamp at the left border              | render/edge.h    | s/ph_max((int32_t)left >> 16, 0)/((int32_t)left >> 16)/ | test_raster

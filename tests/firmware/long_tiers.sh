@@ -25,12 +25,12 @@ copy() { # name, of a copy of the tree
     mkdir -p "$dir/$1" && cp -r Makefile firmware hal boards host-sim "$dir/$1"
 }
 
-# `take_slot`, static, lies in RAM by its tier; the DMA's interrupt calls `go_on`; `ph_line_pixels` draws pixels.
-renaming='s/\btake_slot\b/fetch_slot/g; s/\bgo_on\b/carry_on/g; s/\bph_line_pixels\b/ph_dots_of_line/g'
+# `enter_draw`, static, lies in RAM by its tier; the DMA's interrupt calls `go_on`; `ph_line_pixels` draws pixels.
+renaming='s/\btake_slot\b/begin_draw/g; s/\bgo_on\b/carry_on/g; s/\bph_line_pixels\b/ph_dots_of_line/g'
 
 rename_three() {
     copy renamed && find "$dir/renamed/firmware" "$dir/renamed/hal" -name '*.[chS]' -exec sed -i "$renaming" {} + &&
-        for name in take_slot go_on ph_line_pixels; do ! grep -rqw "$name" "$dir/renamed/firmware/core" "$dir/renamed/hal" || return 1; done
+        for name in enter_draw go_on ph_line_pixels; do ! grep -rqw "$name" "$dir/renamed/firmware/core" "$dir/renamed/hal" || return 1; done
 }
 
 as_before() { # folder

@@ -1,0 +1,69 @@
+/* mesh: what one core and two share to draw a mesh. Private to firmware/core. */
+#ifndef PH_MESH_H
+#define PH_MESH_H
+
+#include "clip.h"
+#include "colour.h"
+#include "cull.h"
+#include "light.h"
+#include "list.h"
+#include "transform.h"
+
+#define PH_MESH_BLOCK 128u /* triangles that two cores cull at a time where some may have to be clipped */
+
+/* What is the same for all triangles of a part. */
+struct ph_part_context {
+    struct ph_renderer *r;
+    const struct ph_mesh *mesh;
+    const struct ph_material *material, *lit_as; /* lit_as: of the part whose light the vertices have, or NULL */
+    const struct ph_clip_matrix *matrix;
+    struct ph_vertex *vertices;
+    struct ph_draw draw;
+    struct ph_local_lights lights;
+    uint32_t codes;                      /* clip codes of all vertices, combined by OR */
+    const struct ph_curved_lens *curved; /* NULL: straight lines stay straight */
+    bool lit, two_sided;
+    bool coloured, lit_coloured; /* the part has lit colours; lit_as has them */
+    bool mixed;                  /* the vertices have the lights of several materials */
+};
+
+/* mesh_triangle.c: the lit colour of a vertex. */
+uint16_t ph_vertex_colour(const struct ph_part_context *c, uint32_t i);
+
+/* The light of a vertex, or its lit colour. */
+static inline uint16_t ph_vertex_light(const struct ph_part_context *c, uint32_t i)
+{
+    return c->coloured ? ph_vertex_colour(c, i)
+                       : ph_light_vertex(&c->lights, c->mesh->normals[i], &c->mesh->positions[i]);
+}
+
+/* A vertex as clipping needs it. */
+struct ph_clip_vertex ph_mesh_vertex(const struct ph_part_context *c, uint32_t index);
+
+/* Draws any triangle: with clip codes, facing away, under a fisheye. False if it cannot be seen. */
+bool ph_draw_any(const struct ph_part_context *c, const uint16_t index[3]);
+
+/* What ph_cull takes to list triangles of a part from the list's end on. */
+static inline struct ph_cull_run ph_cull_run_of(const struct ph_part_context *c, const uint16_t (*index)[3],
+                                                const uint16_t (*end)[3])
+{
+    const struct ph_list *const list = &c->r->list;
+    return (struct ph_cull_run){.vertices = c->vertices,
+                                .index = index,
+                                .end = end,
+                                .codes = c->codes,
+                                .to = list->to,
+                                .limit = list->end,
+                                .band_scale = list->band_scale,
+                                .mark = c->lit ? PH_LIT : 0};
+}
+
+/* mesh_cores.c: draws at most PH_MESH_BLOCK triangles by ph_draw_any on two cores, and adds those that can be seen.
+ * False if there is too little room for that: then nothing is listed. */
+bool ph_each_both(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen);
+
+/* mesh_cores.c: culls and lists triangles on two cores, each into its own half of the room, and adds those that can be
+ * seen. False if one must be clipped: then nothing is listed. */
+bool ph_cull_both(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen);
+
+#endif

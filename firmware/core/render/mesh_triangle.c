@@ -1,0 +1,94 @@
+/* A triangle of a mesh, in the general case: it is lit, clipped and listed. See mesh.h. */
+/* Kits on armv6m: -O3. */
+#include "mesh.h"
+
+#include "clipped.h"
+#include "colour.h"
+#include "edge.h"
+#include "fisheye.h"
+
+PH_NOINLINE uint16_t ph_vertex_colour(const struct ph_part_context *c, uint32_t i)
+{
+    const struct ph_mesh *const mesh = c->mesh;
+    const int16_t *const normal =
+        mesh->normals != NULL && c->material->shading != PH_SHADE_UNLIT ? mesh->normals[i] : NULL;
+    return ph_light_colour(&c->lights, normal, &mesh->positions[i],
+                           ph_wire16(mesh->colours != NULL ? mesh->colours[i] : c->material->colour));
+}
+
+/* Lights the corners of a triangle, unless they are lit already. ph_cull may have marked them only. */
+PH_TIER(scenery) static void light_corners(const struct ph_part_context *c, const uint16_t index[3])
+{
+    for (int i = 0; c->lit && i < 3; i++) {
+        struct ph_vertex *const corner = &c->vertices[index[i]];
+        const unsigned code = __atomic_load_n(&corner->code, __ATOMIC_ACQUIRE), lit = ph_light_of(corner);
+        if (code >= PH_LIT && lit != 0) {
+            continue;
+        }
+        const uint16_t light =
+            ph_vertex_light(c, index[i]); /* both cores may compute and write this light: it is the same */
+        __atomic_store_n(&corner->light, light, __ATOMIC_RELAXED);
+        __atomic_store_n(&corner->code, (uint8_t)(code | PH_LIT), __ATOMIC_RELEASE);
+    }
+}
+
+PH_TIER(few) struct ph_clip_vertex ph_mesh_vertex(const struct ph_part_context *c, uint32_t index)
+{
+    struct ph_clip_vertex v = ph_clip_place(&c->r->lens, c->matrix, &c->mesh->positions[index]);
+    v.light = ph_light_of(&c->vertices[index]);
+    if (c->mesh->uvs != NULL) {
+        v.uv[0] = c->mesh->uvs[index][0];
+        v.uv[1] = c->mesh->uvs[index][1];
+    }
+    return v;
+}
+
+/* The channels of lit colours take the places of light, u and v, 16 bits each: see ph_list_corners. */
+static PH_NOINLINE void take_colours(struct ph_clip_vertex in[3], bool flat)
+{
+    for (int i = 0; i < 3; i++) {
+        const int32_t colour = in[flat ? 0 : i].light;
+        in[i].uv[0] = (colour >> 5 & 63) << 10 | 1 << 9;
+        in[i].uv[1] = (colour & 31) << 11 | 1 << 10;
+        in[i].light = flat && i == 0 ? colour : (colour >> 11) << 11 | 1 << 10;
+    }
+    in[0].light = (in[0].light >> 11) << 11 | 1 << 10;
+}
+
+PH_TIER(few) static PH_NOINLINE void draw_clipped(const struct ph_part_context *c, const uint16_t index[3])
+{
+    struct ph_clip_vertex in[3];
+    light_corners(c, index);
+    for (int i = 0; i < 3; i++) {
+        in[i] = ph_mesh_vertex(c, index[i]);
+    }
+    if (c->coloured) {
+        take_colours(in, c->material->shading == PH_SHADE_FLAT);
+    } else if (c->material->shading != PH_SHADE_GOURAUD) { /* one light for the whole triangle */
+        in[1].light = in[2].light = in[0].light;
+    }
+    ph_draw_clipped(c->r, c->material, c->draw.kind, in);
+    ph_list_again(c->r, &c->draw);
+}
+
+PH_NOINLINE bool ph_draw_any(const struct ph_part_context *c, const uint16_t index[3])
+{
+    const struct ph_vertex *const v[3] = {&c->vertices[index[0]], &c->vertices[index[1]], &c->vertices[index[2]]};
+    const unsigned code[3] = {ph_code_of(v[0]), ph_code_of(v[1]), ph_code_of(v[2])};
+    const unsigned all = code[0] & code[1] & code[2], any = code[0] | code[1] | code[2];
+    if ((all & PH_REJECT) != 0) {
+        return false;
+    }
+    if (c->curved != NULL && (any & PH_CLIP) == 0 && c->curved->misses_picture(c->r, v)) {
+        return false;
+    }
+    if ((any & PH_CLIP) != 0 || (c->curved != NULL && !c->curved->is_straight(&c->r->lens, v[0], v[1], v[2]))) {
+        draw_clipped(c, index);
+        return true;
+    }
+    const bool seen = ph_list_triangle(c->r, index, v, c->two_sided);
+    if (seen) {
+        light_corners(c, index);
+    }
+    return seen;
+}
