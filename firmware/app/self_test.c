@@ -15,7 +15,7 @@
 #define COMPILER "gcc " __VERSION__
 #endif
 
-/* Frame 0 of the demos of known_demos. tests/host-sim/test_self_test.sh compares with pinhole-sim. */
+/* Frame 0 of the demos of known_demos. tests/host-sim/test_known_crcs.sh compares with pinhole-sim. */
 static const char *const known_demos[] = {"cube", "testcard"};
 #define DEMOS (sizeof known_demos / sizeof known_demos[0])
 
