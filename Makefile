@@ -92,8 +92,9 @@ LIBS := $(B)/libpinhole-host.a $(B)/libpinhole-app.a $(B)/libpinhole-hal.a $(B)/
 LIB := $(CORE) $(APP_SRC) $(HAL) $(BOARDS) $(HOST)
 OBJ = $(call objects,$(LIB)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
 
-# Programs in tests/ are named after what runs them; what support/ and oracle/ hold they share.
-TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/*/test_*.c))
+# Programs in tests/ are named after what runs them; what support/ and oracle/ hold they share. A folder of tests may have a
+# room for each room of what it tests.
+TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/*/test_*.c tests/*/*/test_*.c))
 FUZZ := $(patsubst %.c,$(B)/%,$(wildcard tests/*/fuzz_*.c))
 LONG := $(patsubst %.c,$(B)/%,$(wildcard tests/*/exhaustive_*.c)) $(FUZZ) $(B)/tests/oracle/three/motion_dump
 TEST_LACKS := $(if $(call have,mpfr),,tests/support/exhaustive.c) $(if $(call have,osmesa),,tests/oracle/mesa.c)

@@ -2,7 +2,7 @@
 # Usage: tests/run.sh check|test|long [VARIABLE=value for make...]
 # Builds and runs the tests, one more at a time than there are processors, those that take longest first; ends with the
 # one line `N passed, N failed, N skipped` and exits 1 when a test failed.
-#   check  for every edit: the unit tests tests/*/test_*.c and the scripts that take seconds; installs nothing
+#   check  for every edit: the unit tests tests/*/test_*.c, also a folder deeper, and the scripts that take seconds; installs nothing
 #   test   tests/*/test_*.c plain and under sanitizers, tests/*/fuzz_*.c under sanitizers, tests/*/test_*.sh
 #   long   tests/*/exhaustive_*.c, tests/*/long_*.sh, tests/*/fuzz_*.c under sanitizers with the argument `long`, and the
 #          slow tests/*/test_*.c under sanitizers; SHARE=K/N in the environment (K: 1 .. N) runs a share: tests that know
@@ -25,6 +25,7 @@ fi
 
 # Tests that are too slow for `check`, and under sanitizers for `test`, by the processor time that they took.
 slow_units='test_panel_diff test_ft232h test_runner test_quality'
+unit_tests='tests/*/test_*.c tests/*/*/test_*.c'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.
 first='test_targets test_guest_hal test_kernels test_readme test_asset_cli test_guest_usb test_run
@@ -128,16 +129,16 @@ list() {
     case $mode in
     check)
         for f in $quick_scripts; do f=$(echo tests/*/"$f".sh) && [ ! -e "$f" ] || echo "$(basename "$f" .sh) - $f"; done
-        for f in tests/*/test_*.c; do is_slow "$f" || echo "$(basename "$f" .c) $B $f"; done
+        for f in $unit_tests; do is_slow "$f" || echo "$(basename "$f" .c) $B $f"; done
         ;;
     test)
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
         for f in tests/*/test_*.sh; do echo "$(basename "$f" .sh) - $f"; done
-        for f in tests/*/test_*.c; do echo "$(basename "$f" .c) $B $f"; done
-        for f in tests/*/test_*.c; do is_slow "$f" || echo "$(basename "$f" .c).asan $B/asan $f"; done
+        for f in $unit_tests; do echo "$(basename "$f" .c) $B $f"; done
+        for f in $unit_tests; do is_slow "$f" || echo "$(basename "$f" .c).asan $B/asan $f"; done
         ;;
     long)
-        for f in tests/*/test_*.c; do ! is_slow "$f" || echo "$(basename "$f" .c).asan $B/asan $f"; done
+        for f in $unit_tests; do ! is_slow "$f" || echo "$(basename "$f" .c).asan $B/asan $f"; done
         for f in tests/*/long_*.sh; do echo "$(basename "$f" .sh) - $f"; done
         for f in tests/*/exhaustive_*.c; do echo "$(basename "$f" .c) $B $f"; done
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).long.asan $B/asan $f long"; done

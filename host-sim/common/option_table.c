@@ -41,7 +41,7 @@ static const char *row_name(const void *from, size_t i)
     return i < table->count ? table->rows[i].name : NULL;
 }
 
-/* Returns "did you mean --NAME? ", or an empty text. */
+/* Returns "did you mean NAME? ", or an empty text. */
 static const char *suggest(const struct option_table *table, const char *text)
 {
     char name[64];
