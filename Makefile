@@ -71,6 +71,7 @@ APP_SRC := $(wildcard firmware/app/*.c firmware/app/demos/*.c firmware/app/model
 HAL := $(wildcard hal/panel/*.c hal/null/*.c $(if $(SPIDEV),hal/linux/*.c hal/linux/$(GPIOD)/*.c hal/kms/*.c hal/kms/$(DRM)/*.c) \
                   hal/ft232h/*.c hal/ft232h/$(USB)/*.c)
 BOARDS := $(wildcard boards/*.c boards/*/*.c)
+BOARD_NAMES := $(sort $(patsubst boards/%/board.c,%,$(wildcard boards/*/board.c)))
 # Boards from elsewhere: BOARD_DIR/NAME/board.c defines board_NAME (with _ for -), as a folder of boards/ does.
 BOARDS_MORE := $(if $(BOARD_DIR),$(patsubst $(BOARD_DIR)/%/board.c,%,$(wildcard $(BOARD_DIR)/*/board.c)))
 $(if $(BOARD_DIR),$(if $(BOARDS_MORE),,$(error BOARD_DIR=$(BOARD_DIR): there is no NAME/board.c in it)))
@@ -105,7 +106,7 @@ TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(filter-out $(TEST_LACKS),$(wildcard tests/
 # rooms that are named here beside it. (A source finds its own room without a flag.)
 INC_CPU = $(if $(filter-out portable,$(CPU)),-I$(KERNELS)/$(CPU)) -I$(KERNELS)/portable
 INC_CORE = $(INC_CPU) -Ifirmware/core
-INC_MORE = -I$(if $(BOARDS_MORE),$(B)/boards_more,boards/none)
+INC_MORE = -I$(B)/boards_all
 INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
 INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common -Ihost-sim/picture
 rooms = $(patsubst %,-I$(1)/%,$(2))
@@ -179,13 +180,14 @@ $(B)/%.o: %.S $(B)/flags
 	$(SAY) AS $<
 	$(Q)$(CC) $(CFLAGS) $(INC) -MMD -MP -c $< -o $@
 
-ifneq ($(BOARDS_MORE),)
-$(B)/boards/boards.o: $(B)/boards_more/boards_more.h
-$(B)/boards_more/boards_more.h: $(B)/flags
-	@mkdir -p $(@D)
-	@{ $(foreach b,$(BOARDS_MORE),echo 'extern const struct board board_$(subst -,_,$(b));';) \
-	   echo '#define BOARDS_MORE $(foreach b,$(BOARDS_MORE),&board_$(subst -,_,$(b)),)'; } >$@
+# The registry of boards: every folder of boards/ with a board.c, and those of BOARD_DIR. It is there before any object.
+BOARD_IDS := $(patsubst %,board_%,$(subst -,_,$(BOARD_NAMES) $(BOARDS_MORE)))
+$(B)/flags: $(B)/boards_all/boards_all.h
+$(B)/boards_all/boards_all.h: FORCE
+	@mkdir -p $(@D); { printf 'extern const struct board %s;\n' $(BOARD_IDS); printf '#define BOARDS_ALL'; printf ' &%s,' $(BOARD_IDS); echo; } >$@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
+ifneq ($(BOARDS_MORE),)
 $(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags
 	@mkdir -p $(@D)
 	@grep -qw 'board_$(subst -,_,$(patsubst %/,%,$(dir $*)))' '$<' || { echo '$<: defines no board_$(subst -,_,$(patsubst %/,%,$(dir $*)))' >&2; exit 1; }
@@ -248,7 +250,7 @@ test-exhaustive: ## the long tests: every input of the unary functions, long fuz
 proof: ## proves by CBMC and Gappa that no sum overflows, and how far results are off (about 10 minutes on 2 idle cores)
 	$(Q)B='$(B)' CC='$(CC)' tests/proof/proof.sh
 
-lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
+lint: $(B)/boards_all/boards_all.h ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
 	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/tools/lint.sh
 
 bench: ## instructions a frame of the eight scenes on Cortex-M0+, M3, M4F, M33, RV32 and x86-64, and the pictures' quality

@@ -16,7 +16,7 @@ trap 'rm -rf "$dir"' EXIT
 said_with() { # the port's source
     rm -f "$dir/said"
     # shellcheck disable=SC2046 # flags are words
-    "${CC:-cc}" -std=c11 -Ihal -Iboards -Iboards/none -Ihost-sim/emulate -DPORT_C="\"$1\"" -o "$dir/test" tests/hal/test_stm32f4_dma.c "$B/libpinhole-host.a" "$B/libpinhole-hal.a" \
+    "${CC:-cc}" -std=c11 -Ihal -Iboards -I"$B/boards_all" -Ihost-sim/emulate -DPORT_C="\"$1\"" -o "$dir/test" tests/hal/test_stm32f4_dma.c "$B/libpinhole-host.a" "$B/libpinhole-hal.a" \
         $(pkg-config --cflags --libs cmocka) >"$dir/built" 2>&1 || { cat "$dir/built" && return 1; }
     "$dir/test" >"$dir/said" 2>&1
 }

@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 export B=${B:-build} MAKEFLAGS=
 processors=$(nproc)
-read -ra include <<<"${INCLUDE:--Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards -Iboards/none -Ihost-sim -Itests}"
+read -ra include <<<"${INCLUDE:--Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards -I$B/boards_all -Ihost-sim -Itests}"
 folders=(firmware hal boards host-sim tests)
 failed=0
 

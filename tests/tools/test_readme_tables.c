@@ -189,21 +189,28 @@ static const struct {
 static void orientations_are_those_of_the_makers(void **state)
 {
     (void)state;
-    unsigned count = 0;
-    assert_int_equal(board_count, sizeof orientations / sizeof orientations[0]);
+    unsigned count = 0, known = 0;
     for (uint32_t i = 0; i < board_count; i++) {
         const struct board *board = board_list[i];
         const struct measured m = measure(board);
         struct row row = {{0}, 0};
-        assert_string_equal(board->name, orientations[i].board);
-        if (m.rotation_byte != orientations[i].byte) {
-            fail_msg("%s starts with %02Xh, not %02Xh", board->name, m.rotation_byte, orientations[i].byte);
+        const char *source = NULL; /* a board that is newer than this table says its own in its README's row */
+        for (size_t k = 0; k < sizeof orientations / sizeof orientations[0]; k++) {
+            if (strcmp(board->name, orientations[k].board) == 0) {
+                source = orientations[k].source;
+                known++;
+                if (m.rotation_byte != orientations[k].byte) {
+                    fail_msg("%s starts with %02Xh, not %02Xh", board->name, m.rotation_byte, orientations[k].byte);
+                }
+            }
         }
         if (is_kit(board)) {
-            add(&row, "| `%s` | %02Xh | %s |", board->name, m.rotation_byte, orientations[i].source);
+            add(&row, "| `%s` | %02Xh | %s", board->name, m.rotation_byte, source != NULL ? source : "");
+            add(&row, "%s", source != NULL ? " |" : "");
             count += missing(&row);
         }
     }
+    assert_int_equal(known, sizeof orientations / sizeof orientations[0]);
     assert_int_equal(count, 0);
 }
 
