@@ -181,7 +181,8 @@ static void what_no_camera_makes_is_no_projection(void **state)
 static void matrices_are_printed_row_by_row(void **state)
 {
     (void)state;
-    const struct ph_projection p = {.scale_x_q20 = 1 << 20, .scale_y_q20 = 2 << 20, .near_z = FX_INT(1), .far_z = FX_INT(3)};
+    const struct ph_projection p = {
+        .scale_x_q20 = 1 << 20, .scale_y_q20 = 2 << 20, .near_z = FX_INT(1), .far_z = FX_INT(3)};
     struct ph_projection fisheye = p;
     char *text = NULL;
     size_t n = 0;
