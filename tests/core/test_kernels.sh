@@ -17,7 +17,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fx_mul fill span_flat span_gouraud span_blend line_pixels halve small_gouraud small_knee samples_gouraud long_gouraud setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
+loops=(fx_mul fill span_flat span_blend line_pixels halve small_gouraud small_knee samples_gouraud long_gouraud setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&

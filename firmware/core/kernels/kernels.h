@@ -25,11 +25,9 @@ struct ph_vertex;
 /* fill.c: stores a value n times. */
 void ph_fill(uint16_t *to, uint16_t value, uint32_t n);
 
-/* span_flat.c, span_gouraud.c: n >= 1 pixels in one colour, or along a ramp of 128 colours. d is the depth at the first
- * pixel, a 16.16 code, and gd its step per pixel. The top 7 bits of light are the entry of the ramp. */
+/* span_flat.c: n >= 1 pixels in one colour. d is the depth at the first pixel, a 16.16 code, and gd its step per pixel.
+ */
 void ph_span_flat(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint16_t colour);
-void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint32_t light,
-                     uint32_t glight, const uint16_t *ramp);
 
 /* span_blend.c: n >= 1 pixels of one colour are blended, and depth stays. Each channel becomes (itself * rest + source)
  * / 32, rounded down; source is spread as in blend.h, and rest is 0 .. 32. d is the depth at the first pixel, a 16.16

@@ -105,6 +105,15 @@ static inline void ph_span_gouraud24(uint16_t *pixels, uint32_t *depth, uint32_t
     }
 }
 
+/* Draws a span along a ramp of 128 colours, of which the top 7 bits of light are the entry; d is a 16.16 code. */
+static inline void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
+                                   uint32_t light, uint32_t glight, const uint16_t *ramp)
+{
+    for (; n > 0; n--, d += gd, light += glight) {
+        ph_pixel_gouraud(pixels++, depth++, d, light, ramp);
+    }
+}
+
 /* Draws a span in one colour with depth in linear-w: d and gd belong to the plane of 1/w. */
 static inline void ph_span_flat_linear(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                        const struct ph_linear *linear, uint16_t colour)

@@ -88,14 +88,6 @@ static uint32_t try_flat(uint32_t h)
     return h;
 }
 
-static uint32_t try_gouraud(uint32_t h)
-{
-    const uint32_t at = below(64), depth_at = below(64), n = 1 + below(below(2) > 0 ? 20 : 600), d = bits();
-    const uint32_t gd = below(1 << 22), light = bits(), down = below(16);
-    ph_span_gouraud(pixels + at, depth + depth_at, n, d, gd, light, bits() >> down, ramp);
-    return h;
-}
-
 static uint32_t try_blend(uint32_t h)
 {
     const uint32_t at = below(64), depth_at = below(64), n = 1 + below(below(2) > 0 ? 20 : 600), d = bits();
@@ -621,7 +613,6 @@ int main(void)
     } loops[] = {{"fx_mul", try_mul},
                  {"fill", try_fill},
                  {"span_flat", try_flat},
-                 {"span_gouraud", try_gouraud},
                  {"span_blend", try_blend},
                  {"line_pixels", try_line},
                  {"halve", try_halve},

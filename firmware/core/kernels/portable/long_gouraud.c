@@ -2,6 +2,7 @@
 #include "kernels.h"
 
 #include "edge.h"
+#include "span.h"
 
 uint32_t ph_long_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
