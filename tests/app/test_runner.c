@@ -5,6 +5,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
+#include "crc32.h"
 #include "runner.h"
 #include "sim.h"
 
@@ -443,6 +444,231 @@ static void without_a_queue_frames_are_sent_whole(void **state)
     stage_close(s);
 }
 
+/* ---- a demo that keeps what it is told, and another core that works at once ---- */
+
+static struct {
+    struct demo_context at_init, at_frame;
+    uint32_t frames, frame, vertices, joins;
+    int status;
+} told;
+
+static int told_init(struct demo_context *context)
+{
+    told.at_init = *context;
+    return PH_OK;
+}
+
+static int told_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    const struct ph_projection lens = {
+        .kind = PH_PERSPECTIVE, .scale_x_q20 = 1 << 20, .scale_y_q20 = 1 << 20, .near_z = FX_ONE, .far_z = 9 * FX_ONE};
+    const struct ph_scene_light light = {0};
+    assert_int_equal(ph_frame_begin(r, &ph_xform_identity, &lens, &light, 0), 0);
+    r->stats.vertices = told.vertices;
+    told.at_frame = *context;
+    told.frame = context->frame = frame;
+    told.frames++;
+    return told.status;
+}
+
+/* Every pixel has another colour than its neighbours, and all of them come. */
+static uint32_t told_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
+{
+    const uint32_t y0 = band * r->config.band_height, left = context->height - y0,
+                   lines = left < r->config.band_height ? left : r->config.band_height;
+    for (uint32_t i = 0; i < lines * context->width; i++) {
+        const uint32_t wire = 40503u * (y0 * context->width + i);
+        const uint8_t bytes[2] = {(uint8_t)(wire >> 8), (uint8_t)wire};
+        memcpy(&pixels[i], bytes, sizeof bytes);
+    }
+    return lines;
+}
+
+static bool core_at_once(void (*run)(void *argument), void *argument)
+{
+    run(argument);
+    return true;
+}
+
+static void join_at_once(void)
+{
+    told.joins++;
+}
+
+static struct demo teller(const char *name)
+{
+    return (struct demo){.name = name,
+                         .loop_frames = 1,
+                         .arena_bytes = 64,
+                         .arena_bytes_32 = 64,
+                         .vertex_max = 64,
+                         .triangle_max = 64,
+                         .init = told_init,
+                         .frame = told_frame,
+                         .band = told_band};
+}
+
+#define AHEAD_BYTES(s) (sizeof(struct runner_ahead) + (s)->runner.renderer.config.vertex_max * ph_vertex_bytes)
+
+/* A runner with a demo that is not on the list, opened after `set` has changed its configuration. */
+static struct stage *teller_open(const struct demo *demo, void (*set)(struct runner_config *))
+{
+    struct stage *s = stage_on(board_find("pico-display"), "cube", 16);
+    memset(&told, 0, sizeof told);
+    told.vertices = 32;
+    s->config.demo = demo;
+    if (set != NULL) {
+        set(&s->config);
+    }
+    assert_int_equal(runner_open(&s->runner, &s->hal, &s->config), 0);
+    return s;
+}
+
+static void set_all(struct runner_config *config)
+{
+    config->state = &told;
+    config->view = "a view";
+    config->camera.view_set = true;
+    config->camera.view.t.z = 77;
+    config->depth_exponent = 3;
+}
+
+/* State and view are the first demo's alone; the camera is everybody's. */
+static void a_demo_is_told_what_the_configuration_says(void **state)
+{
+    (void)state;
+    const struct demo first = teller("first"), second = teller("second");
+    struct stage *s = teller_open(&first, set_all);
+    assert_ptr_equal(told.at_init.state, &told);
+    assert_string_equal(told.at_init.view, "a view");
+    assert_int_equal(told.at_init.camera.view.t.z, 77);
+    assert_int_equal(s->runner.renderer.config.depth_exponent, 3);
+    assert_int_equal(runner_take(&s->runner, &second), 0);
+    assert_null(told.at_init.state);
+    assert_null(told.at_init.view);
+    assert_int_equal(told.at_init.camera.view.t.z, 77);
+    stage_close(s);
+}
+
+/* A channel's bits are repeated below them: times 33 / 4 or 65 / 16, rounded down. */
+static void the_crc_is_that_of_channels_of_8_bits(void **state)
+{
+    (void)state;
+    const struct demo demo = teller("first");
+    struct stage *s = teller_open(&demo, NULL);
+    uint32_t crc = 0;
+    assert_int_equal(runner_scene(&s->runner, 0), 0);
+    for (uint32_t i = 0; i < 240 * 135; i++) {
+        const uint32_t wire = 40503u * i & 0xFFFF;
+        const uint8_t rgb[3] = {(uint8_t)((wire >> 11) * 33 / 4), (uint8_t)(wire / 32 % 64 * 65 / 16),
+                                (uint8_t)(wire % 32 * 33 / 4)};
+        crc = crc32_update(crc, rgb, 3);
+    }
+    assert_int_equal(runner_crc(&s->runner), crc);
+    stage_close(s);
+}
+
+static void a_first_demo_that_is_not_listed_comes_after_the_last(void **state)
+{
+    (void)state;
+    const struct demo demo = teller("first");
+    struct stage *s = teller_open(&demo, NULL);
+    const struct demo *last = NULL;
+    for (uint32_t i = 0; i < demo_count; i++) {
+        last = demo_list[i]->by_name_only ? last : demo_list[i];
+    }
+    assert_int_equal(runner_buttons(&s->runner, HAL_BUTTON_SELECT), 0);
+    assert_ptr_equal(s->runner.demo, demo_list[0]);
+    assert_int_equal(runner_take(&s->runner, last), 0);
+    assert_int_equal(runner_buttons(&s->runner, 0), 0);
+    assert_int_equal(runner_buttons(&s->runner, HAL_BUTTON_SELECT), 0);
+    assert_ptr_equal(s->runner.demo, &demo);
+    stage_close(s);
+}
+
+static void set_cores(struct runner_config *config)
+{
+    static uint64_t memory[20000];
+    config->other_core = core_at_once;
+    config->other_core_join = join_at_once;
+    config->ahead = memory;
+    config->ahead_bytes = sizeof memory;
+}
+
+static bool is_ahead_after(struct stage *s, uint32_t frame)
+{
+    assert_int_equal(runner_buttons(&s->runner, 0), 0);
+    assert_int_equal(runner_scene(&s->runner, frame), 0);
+    runner_ahead(&s->runner, frame + 1);
+    return s->runner.ahead;
+}
+
+static void the_scene_made_ahead_is_the_next_one_with_its_context(void **state)
+{
+    (void)state;
+    const struct demo demo = teller("first");
+    struct stage *s = teller_open(&demo, set_cores);
+    s->bus.buttons = HAL_BUTTON_LEFT;
+    assert_int_equal(runner_frame(&s->runner, 5), 0);
+    assert_int_equal(told.frames, 2);
+    assert_int_equal(told.frame, 6);
+    assert_int_equal(told.at_frame.buttons, HAL_BUTTON_LEFT);
+    const uint32_t orbit = told.at_frame.orbit;
+    assert_true(orbit != s->runner.context.orbit && orbit == 2 * s->runner.context.orbit);
+    const void *const list = s->runner.renderer.config.vertices;
+    assert_int_equal(runner_buttons(&s->runner, 0), 0);
+    told.status = PH_ERR_STATE;
+    assert_int_equal(runner_scene(&s->runner, 6), PH_OK); /* as it was when it was made */
+    assert_int_equal(told.frames, 2);
+    assert_int_equal(s->runner.context.frame, 6);
+    assert_int_equal(s->runner.context.orbit, orbit);
+    assert_ptr_not_equal(s->runner.renderer.config.vertices, list);
+    assert_false(s->runner.ahead);
+    runner_ahead(&s->runner, 7);
+    assert_int_equal(runner_scene(&s->runner, 7), PH_ERR_STATE);
+    assert_ptr_equal(s->runner.renderer.config.vertices, list); /* two lists take turns */
+    told.status = PH_OK;
+    assert_true(is_ahead_after(s, 8));
+    assert_int_equal(runner_scene(&s->runner, 20), PH_OK);
+    assert_int_equal(told.frame, 20); /* made again */
+    runner_ahead(&s->runner, 21);
+    s->bus.buttons = 0;
+    assert_int_equal(runner_buttons(&s->runner, 0), 0);
+    assert_false(s->runner.ahead); /* other buttons */
+    const uint32_t joins = told.joins;
+    assert_true(is_ahead_after(s, 30));
+    runner_close(&s->runner);
+    assert_int_equal(told.joins, joins + 1);
+    stage_close(s);
+}
+
+static void a_scene_is_made_ahead_only_where_it_can_be_and_earns(void **state)
+{
+    (void)state;
+    const struct demo demo = teller("first");
+    struct stage *s = teller_open(&demo, set_cores);
+    assert_true(is_ahead_after(s, 0));
+    told.vertices = 31;
+    assert_false(is_ahead_after(s, 5));
+    told.vertices = 32;
+    assert_true(is_ahead_after(s, 10));
+    s->runner.config.ahead_bytes = AHEAD_BYTES(s);
+    assert_true(is_ahead_after(s, 15));
+    s->runner.config.ahead_bytes--;
+    assert_false(is_ahead_after(s, 20));
+    s->runner.config.ahead_bytes++;
+    struct demo blurred = demo;
+    blurred.blur_radius = 1;
+    assert_true(is_ahead_after(s, 25));
+    runner_scene(&s->runner, 30);
+    s->runner.demo = &blurred;
+    assert_false(is_ahead_after(s, 35));
+    s->runner.demo = &demo;
+    s->runner.config.other_core = NULL;
+    assert_false(is_ahead_after(s, 40));
+    stage_close(s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -453,6 +679,11 @@ int main(void)
         cmocka_unit_test(a_frame_that_gets_no_edge_is_sent_and_counted),
         cmocka_unit_test(no_edge_is_waited_for_where_its_line_is_not_wired),
         cmocka_unit_test(without_a_queue_frames_are_sent_whole),
+        cmocka_unit_test(a_demo_is_told_what_the_configuration_says),
+        cmocka_unit_test(the_crc_is_that_of_channels_of_8_bits),
+        cmocka_unit_test(a_first_demo_that_is_not_listed_comes_after_the_last),
+        cmocka_unit_test(the_scene_made_ahead_is_the_next_one_with_its_context),
+        cmocka_unit_test(a_scene_is_made_ahead_only_where_it_can_be_and_earns),
         cmocka_unit_test(no_buffer_is_touched_while_it_is_sent),
         cmocka_unit_test(select_takes_the_next_demo_that_fits),
         cmocka_unit_test(a_button_that_is_held_selects_once),
