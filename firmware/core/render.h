@@ -125,7 +125,7 @@ struct ph_material {
     uint8_t depth_bias_slope;
     const uint16_t *ramp; /* FLAT and GOURAUD: PH_RAMP_SIZE colours, made by ph_material_ramp() */
     const struct ph_texture *texture;
-    const struct ph_blend *blend; /* NULL: opaque. It must stay as long as the material */
+    const struct ph_blend *blend; /* NULL: opaque */
 };
 
 /* A run of triangles of one material. */
@@ -135,9 +135,8 @@ struct ph_part {
 };
 
 /* Triangles are counter-clockwise seen from outside. There are at most 65536 vertices. All data may lie in flash.
- * Materials (with ramps and textures) and uvs must stay until the last band is drawn; all else only while it is drawn.
- * A material that has changed meanwhile, because it lay on a stack for example, ends the frame: ph_show returns
- * PH_ERR_STATE, and ph_frame_bands or the last ph_draw_band 0. What its ramp and its texture hold is not looked at.
+ * Until the last band is drawn these must stay: uvs, and what materials point to (ramps, textures with their texels,
+ * blends with their alphas). All else, materials too, is copied where it is needed, and may change after the call.
  */
 struct ph_mesh {
     const struct fx_vec3 *positions;
@@ -371,7 +370,8 @@ struct ph_list {
     uint64_t own[PH_OWN_BYTES / 8];
 };
 
-/* The state of one picture. Callers read stats; all other fields are private. It holds no pointer into itself. */
+/* The state of one picture. Callers read stats; all other fields are private. Between ph_frame_bands and the last band
+ * it must not be moved. */
 struct ph_renderer {
     struct ph_config config; /* with samples its sizes count samples: width, height and band_height are doubled */
     struct ph_stats stats;
@@ -464,14 +464,13 @@ int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, 
 void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material);
 
 /* Sorts the triangles into bands, after which no more can be drawn. Returns the number of bands; 0 if no frame has
- * begun, its bands are made already, or a material is not as it was when it was drawn. */
+ * begun, or its bands are made already. */
 uint32_t ph_frame_bands(struct ph_renderer *r);
 
 /*
  * Clears and draws band number `band`. Call it for all bands in order from 0, the top, each once. pixels has room for
  * width * band_height pixels in wire order. Returns the number of lines; 0, with nothing written, for a band out of
- * turn, or pixels that are NULL or at an odd address; 0 for the last band, too, if a material has changed since it was
- * drawn: then the picture is not right.
+ * turn, or pixels that are NULL or at an odd address.
  */
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 
@@ -485,8 +484,7 @@ typedef int ph_flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint
  * it was; the first frame, and the one after a frame that was stopped, are given whole.
  * Text and pictures of overlay.h are drawn into a band's pixels: they need a loop with ph_draw_band in its place.
  * Errors: PH_ERR_INVAL: flush is NULL, or config.pixels or config.pixel_order is wrong. PH_ERR_STATE: no frame has
- * begun, or it was shown already, perhaps in part: flush is not called; or a material has changed since it was drawn:
- * flush is not called again. Else what flush returned.
+ * begun, or it was shown already, perhaps in part: flush is not called. Else what flush returned.
  */
 int ph_show(struct ph_renderer *r, ph_flush *flush, void *context);
 

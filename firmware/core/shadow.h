@@ -31,11 +31,10 @@ struct ph_plane_equation {
  *
  * In:     to_world places the mesh, which must lie within 512 of the light, so that its shadow fits Q16.16.
  *         light is the position of the point light in world space.
- *         material holds for all parts of the mesh: PH_SHADE_UNLIT in the colour of the shadow. It must live until the
- *         last band is drawn. With a blend the ground is seen through the shadow; where parts of a mesh that is not
- *         convex lie over each other in it, they are blended one after the other. With two_sided = 0 only triangles
- *         that face the light are drawn, which is enough for closed meshes, and only if the viewer is on the lit side
- *         of the plane. With two_sided = 1 all are drawn.
+ *         material holds for all parts of the mesh: PH_SHADE_UNLIT in the colour of the shadow. With a blend the ground
+ *         is seen through the shadow; where parts of a mesh that is not convex lie over each other in it, they are
+ *         blended one after the other. With two_sided = 0 only triangles that face the light are drawn, which is enough
+ *         for closed meshes, and only if the viewer is on the lit side of the plane. With two_sided = 1 all are drawn.
  *         A depth_bias of 16 is right for most scenes. Besides, the shadow is moved towards the viewer by 1/512 of its
  *         distance (orthographic: by 1/2048 of the way from near to far plane; fisheye, whose depth is coarser: by
  *         1/32), which moves nothing on the screen.

@@ -11,16 +11,20 @@ dir=$(mktemp -d) && trap 'rm -rf "$dir"' EXIT
 make -s B="$B" "$B/libpinhole.a" >/dev/null || exit 1
 mkdir "$dir/pinhole" && cp firmware/core/*.h "$dir/pinhole/"
 
-# A program like an example's main loop: one function draws, another one shows; between them others use the stack.
+# A program like an example's main loop: one function draws, another one shows; between them others use the stack. It
+# draws at 128 depths of the stack: each time the same picture must come, the last of which is written.
 cat >"$dir/show.c" <<'C'
 #include "triangle.h"
 #include <stdio.h>
 #include <string.h>
 
+static unsigned char picture[WIDTH * HEIGHT * 3], first[sizeof picture];
+
 static int flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t height, const void *pixels)
 {
-    (void)x, (void)y;
-    return fwrite(pixels, 3 * width, height, context) != height;
+    (void)context;
+    memcpy(picture + (y * WIDTH + x) * 3, pixels, (size_t)width * height * 3);
+    return 0;
 }
 
 static int use_stack(volatile unsigned char *rubbish, size_t n)
@@ -37,15 +41,30 @@ static int others(void)
     return use_stack(rubbish, sizeof rubbish);
 }
 
+static int draw_below(struct ph_renderer *r, unsigned depth)
+{
+    volatile unsigned char room[24];
+    room[depth % sizeof room] = 0;
+    const int status = depth > 0 ? draw_below(r, depth - 1) : triangle_draw(r, 17);
+    return status + room[depth % sizeof room];
+}
+
 int main(void)
 {
     static uint16_t pixels[WIDTH * BAND * 3 / 2];
     static struct ph_renderer r;
     int status = triangle_init(&r, PH_PIXELS_RGB888);
     r.config.pixels = pixels;
-    status = status != 0 ? status : triangle_draw(&r, 17);
-    status = status != 0 ? status : others();
-    return status != 0 ? status : ph_show(&r, flush, stdout);
+    for (unsigned depth = 0; depth < 128 && status == 0; depth++) {
+        status = draw_below(&r, depth);
+        status = status != 0 ? status : others();
+        status = status != 0 ? status : ph_show(&r, flush, NULL);
+        if (depth == 0) {
+            memcpy(first, picture, sizeof picture);
+        }
+        status = status != 0 ? status : memcmp(picture, first, sizeof picture) != 0;
+    }
+    return status != 0 || fwrite(picture, sizeof picture, 1, stdout) != 1;
 }
 C
 

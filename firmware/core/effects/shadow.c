@@ -259,6 +259,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
         ph_list_rewind(r, &mark);
         return ph_list_leave_out(r, mesh, false);
     }
+    c.material = c.draw.material = ph_list_material(r);
     c.matrix = ph_clip_matrix(&r->lens, &r->view);
     move_nearer(&c.matrix, &r->lens);
     c.vertices = ph_at(r, c.draw.base);

@@ -1,9 +1,6 @@
 /* See check.h, render.h. */
 #include "check.h"
 
-#include "colour.h"
-#include "list.h"
-
 static bool has_stray_index(const uint16_t *index, uint64_t n, uint32_t vertex_count)
 {
     for (uint64_t i = 0; i < n; i++) {
@@ -41,16 +38,4 @@ bool ph_check_mesh(const struct ph_mesh *mesh)
             !has_stray_index((const uint16_t *)mesh->triangles, 3 * (uint64_t)mesh->triangle_count,
                              mesh->vertex_count) &&
             !has_stray_index((const uint16_t *)mesh->edges, 2 * (uint64_t)mesh->edge_count, mesh->vertex_count));
-}
-
-bool ph_check_materials(const struct ph_renderer *r)
-{
-    const struct ph_draw *draw;
-    for (uint32_t place = r->list.first; place != PH_NONE; place = draw->next) {
-        draw = ph_at(r, place);
-        if (ph_material_sum(draw->material) != draw->sum[0]) {
-            return false;
-        }
-    }
-    return true;
 }

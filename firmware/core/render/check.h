@@ -16,7 +16,4 @@
 /* Whether a mesh has all that its numbers say. */
 bool ph_check_mesh(const struct ph_mesh *mesh);
 
-/* Whether the materials of all draws are as they were when they were drawn. */
-bool ph_check_materials(const struct ph_renderer *r);
-
 #endif

@@ -31,23 +31,3 @@ void ph_material_ramp(uint16_t ramp[PH_RAMP_SIZE], uint8_t red, uint8_t green, u
                                        ramp_channel(green, intensity, 63) << 5 | ramp_channel(blue, intensity, 31)));
     }
 }
-
-/* A pointer as 32 bits. */
-static inline uint32_t bits_of(const void *pointer)
-{
-    return (uint32_t)((uintptr_t)pointer ^ (uint64_t)(uintptr_t)pointer >> 32);
-}
-
-uint32_t ph_material_sum(const struct ph_material *material)
-{
-    const struct ph_material *const m = material;
-    uint32_t sum = (uint32_t)m->shading | (uint32_t)m->two_sided << 8 | (uint32_t)m->shininess_log2 << 16 |
-                   (uint32_t)m->depth_bias << 24;
-    sum = sum * 33 + (uint32_t)m->ambient;
-    sum = sum * 33 + (uint32_t)m->diffuse;
-    sum = sum * 33 + (uint32_t)m->specular;
-    sum = sum * 33 + (m->colour | (uint32_t)m->depth_bias_slope << 16);
-    sum = sum * 33 + bits_of(m->ramp);
-    sum = sum * 33 + bits_of(m->texture);
-    return sum * 33 + bits_of(m->blend);
-}

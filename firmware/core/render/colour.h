@@ -1,4 +1,4 @@
-/* colour: wire order (16-bit pixels in memory with their high byte first, on every machine), and materials. */
+/* colour: wire order (16-bit pixels in memory with their high byte first, on every machine). */
 #ifndef PH_COLOUR_H
 #define PH_COLOUR_H
 
@@ -14,10 +14,5 @@ static inline uint16_t ph_wire16(uint16_t v)
     } wire = {{(uint8_t)(v >> 8), (uint8_t)v}};
     return wire.value;
 }
-
-struct ph_material;
-
-/* A checksum over all members of a material: almost every change alters it (one of 2^32 does not). */
-uint32_t ph_material_sum(const struct ph_material *material);
 
 #endif

@@ -1,5 +1,4 @@
 /* Renderer and camera: see render.h. */
-#include "check.h"
 #include "edge.h"
 #include "feed.h"
 #include "fisheye.h"
@@ -211,15 +210,11 @@ uint32_t ph_frame_bands(struct ph_renderer *r)
     if (r->list.is_closed == PH_LIST_CLOSED || r->band_count == 0) {
         return 0;
     }
-    if (!ph_check_materials(r)) {
-        ph_list_close(r);
-        return 0;
-    }
     ph_feed_sort(r);
     r->carried = r->slots = r->ahead = NULL;
     r->slots_used[0] = r->list.used[1];
     r->slots_used[1] = r->list.used[2];
-    ph_list_close(r);
+    ph_list_end(r);
     r->list.band = 0;
     return r->band_count;
 }

@@ -224,19 +224,56 @@ PH_TIER(few) static uint32_t place_lens(struct ph_renderer *r)
     return r->list.lens;
 }
 
+#define MATERIAL_BYTES 48u /* in the list, on every machine, so that the same fits */
+_Static_assert(sizeof(struct ph_material) <= MATERIAL_BYTES, "a material fits its room in the list");
+
+static PH_NOINLINE bool is_equal(const struct ph_material *a, const struct ph_material *b)
+{
+    return a->shading == b->shading && a->colour == b->colour && a->texture == b->texture && a->ramp == b->ramp &&
+           a->blend == b->blend && a->two_sided == b->two_sided && a->shininess_log2 == b->shininess_log2 &&
+           a->depth_bias == b->depth_bias && a->depth_bias_slope == b->depth_bias_slope && a->ambient == b->ambient &&
+           a->diffuse == b->diffuse && a->specular == b->specular;
+}
+
+static const struct ph_material *material_of(const struct ph_renderer *r, const struct ph_draw *draw)
+{
+    return ph_at(r, draw->copy[0] & ~1u);
+}
+
+/* Copies a material for the draw that follows the last one, or that takes its room (`again`), and so that of a copy
+ * that was made for it. Returns what ph_draw.copy says of it, or PH_NONE. */
+static PH_NOINLINE uint32_t copy_material(struct ph_renderer *r, const struct ph_draw *last, bool again,
+                                          const struct ph_material *material)
+{
+    const uint32_t place =
+        again && (last->copy[0] & 1) != 0 ? last->copy[0] & ~1u : take_any(r, OWN, TRIANGLES, MATERIAL_BYTES);
+    if (place != PH_NONE) {
+        *(struct ph_material *)ph_at(r, place) = *material;
+    }
+    return place | 1;
+}
+
 PH_TIER(mesh) bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw)
 {
     struct ph_list *const list = &r->list;
     struct ph_draw *last = list->last == PH_NONE ? NULL : draw_at(r, list->last);
+    const struct ph_material *const before = last != NULL ? material_of(r, last) : NULL;
     const uint32_t lens = place_lens(r), count = ph_ref_count(r);
+    const bool equal = last != NULL && (before == draw->material || is_equal(before, draw->material));
     if (lens == PH_NONE) {
         return false;
     }
-    if (last != NULL && last->material == draw->material && last->uvs == draw->uvs && last->base == draw->base &&
-        last->kind == draw->kind && last->lens == lens) {
+    if (equal && last->uvs == draw->uvs && last->base == draw->base && last->kind == draw->kind && last->lens == lens) {
         return true;
     }
-    if (last == NULL || last->first != count) { /* a draw without references gives its room to the next one */
+    const bool again = last != NULL && last->first == count; /* without references it gives its room to the next one */
+    const uint32_t copy = !equal  ? copy_material(r, last, again, draw->material)
+                          : again ? last->copy[0]
+                                  : last->copy[0] & ~1u;
+    if (copy == PH_NONE) {
+        return false;
+    }
+    if (!again) {
         const uint32_t place = take_any(r, OWN, TRIANGLES, sizeof *last);
         if (place == PH_NONE) {
             return false;
@@ -246,11 +283,26 @@ PH_TIER(mesh) bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *dra
         last = draw_at(r, place);
     }
     *last = *draw;
-    last->sum[0] = ph_material_sum(draw->material);
+    last->copy[0] = copy;
     last->first = count;
     last->next = PH_NONE;
     last->lens = lens;
     return true;
+}
+
+const struct ph_material *ph_list_material(const struct ph_renderer *r)
+{
+    return material_of(r, draw_at(r, r->list.last));
+}
+
+void ph_list_end(struct ph_renderer *r)
+{
+    struct ph_draw *draw;
+    for (uint32_t place = r->list.first; place != PH_NONE; place = draw->next) {
+        draw = draw_at(r, place);
+        draw->material = material_of(r, draw);
+    }
+    ph_list_close(r);
 }
 
 PH_TIER(few) struct ph_mark ph_list_mark(struct ph_renderer *r)

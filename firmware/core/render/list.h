@@ -2,12 +2,13 @@
  * list: what a frame keeps of its meshes until its bands are drawn. Private to firmware/core.
  *
  * Transformed vertices stay where they are, 16 bytes each. A triangle that can be seen is a reference of 8 bytes to its
- * three corners. Neighbouring references share a draw record: material, first vertex, camera. A band sets up the
- * triangles that begin in it (bands.c).
+ * three corners. Neighbouring references share a draw record: first vertex, camera, and a copy of their material, which
+ * neighbouring draws share in turn. A band sets up the triangles that begin in it (bands.c).
  *
  * Memory: the caller's `vertices` and `triangles`, and a little of the renderer's own for scenes of few triangles.
  * References grow down from the end of `triangles`. All else is taken from the three pieces upwards, and is named by
- * its place, so that the renderer holds no pointer into itself. What is left becomes slots for set-up triangles.
+ * its place, so that the renderer holds no pointer into itself until its bands are drawn. What is left becomes slots
+ * for set-up triangles.
  */
 #ifndef PH_LIST_H
 #define PH_LIST_H
@@ -35,15 +36,16 @@ enum ph_draw_kind {
 
 /* What references have in common. */
 struct ph_draw {
-    const struct ph_material *material;
-    const fx_t (*uvs)[2];                      /* of the vertices of a mesh, or NULL */
-    uint32_t first;                            /* number of the first reference */
-    uint32_t next;                             /* place of the next draw, PH_NONE at the end */
-    uint32_t base;                             /* place of corner 0 */
-    uint32_t lens;                             /* place of the camera's lens */
-    uint32_t kind;                             /* enum ph_draw_kind, combined by OR */
-    uint32_t sum[sizeof(void *) == 4 ? 3 : 1]; /* the first: ph_material_sum; the others are unused: a
-                                                  draw has 40 bytes on every machine, so that the same fits */
+    const struct ph_material *material; /* in the list: the list's own copy, from ph_list_end on */
+    const fx_t (*uvs)[2];               /* of the vertices of a mesh, or NULL */
+    uint32_t first;                     /* number of the first reference */
+    uint32_t next;                      /* place of the next draw, PH_NONE at the end */
+    uint32_t base;                      /* place of corner 0 */
+    uint32_t lens;                      /* place of the camera's lens */
+    uint32_t kind;                      /* enum ph_draw_kind, combined by OR */
+    /* The first: place of the copy of the material, plus 1 if it was made for this draw and not for one before. The
+     * others are unused: a draw has 40 bytes on every machine, so that the same fits. */
+    uint32_t copy[sizeof(void *) == 4 ? 3 : 1];
 };
 
 /* Converts a place (piece in the top 2 bits, byte offset below) to a pointer. */
@@ -145,9 +147,15 @@ void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw);
 /* Place of corner 0 of the current draw. */
 uint32_t ph_list_base(const struct ph_renderer *r);
 
-/* Makes a draw the current one: from now on references are listed for it; first, next and lens are set here. False:
- * there is no room. */
+/* Makes a draw the current one: from now on references are listed for it; first, next, lens and copy are set here, and
+ * its material is copied, unless the draw before has an equal one. False: there is no room. */
 bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw);
+
+/* The list's copy of the current draw's material. */
+const struct ph_material *ph_list_material(const struct ph_renderer *r);
+
+/* Ends the listing of a frame whose bands are to be drawn: from here on the renderer has pointers into itself. */
+void ph_list_end(struct ph_renderer *r);
 
 /* Goes on with a draw after others. Without room for that no more is listed in this frame: it would have others'
  * corners. */

@@ -257,6 +257,7 @@ static void draw_part(struct ph_part_context *c, const struct ph_part *part, con
         r->stats.triangles_dropped += count;
         return;
     }
+    c->material = c->draw.material = ph_list_material(r);
     const uint32_t before = ph_ref_count(r);
     c->curved = r->lens.kind == PH_FISHEYE ? r->projection.curved : NULL;
     if (wire) {

@@ -35,7 +35,7 @@ static int triangle_draw(struct ph_renderer *r, uint32_t frame)
     static const struct fx_vec3 corners[] = {{-FX_ONE, -FX_ONE, 0}, {FX_ONE, -FX_ONE, 0}, {0, FX_ONE, 0}};
     static const uint16_t faces[][3] = {{0, 1, 2}};
     struct ph_part part = {0};
-    static struct ph_material material; /* static: ph_show reads it when this function has returned */
+    struct ph_material material = {0};
     struct ph_mesh mesh = {0};
     part.count = 1;
     material.shading = PH_SHADE_UNLIT;
