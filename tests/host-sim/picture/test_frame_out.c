@@ -7,6 +7,8 @@
 
 #include "complain.h"
 #include "frame_out.h"
+#include "gif_out.h"
+#include "picture_in.h"
 #include "stderr_capture.h"
 
 #include <stdlib.h>
@@ -49,13 +51,12 @@ static void the_name_says_what_is_meant(void **state)
         bool several;
         enum frame_out_kind kind;
         const char *ending;
-    } known[] = {{NULL, true, FRAME_OUT_NONE, ".ppm"},         {"-", true, FRAME_OUT_STREAM, ".ppm"},
-                 {"a.ppm", false, FRAME_OUT_FILE, ".ppm"},     {"a.ppm", true, FRAME_OUT_FILES, ".ppm"},
-                 {"a.png", false, FRAME_OUT_FILE, ".png"},     {"a.png", true, FRAME_OUT_FILES, ".png"},
-                 {"a.gif", true, FRAME_OUT_GIF, ".ppm"},       {"folder", false, FRAME_OUT_DIRECTORY, ".ppm"},
-                 {".ppm", false, FRAME_OUT_DIRECTORY, ".ppm"}, {"d/.x", false, FRAME_OUT_DIRECTORY, ".ppm"},
-                 {"a.b/", false, FRAME_OUT_DIRECTORY, ".ppm"}, {"a.b/c", false, FRAME_OUT_DIRECTORY, ".ppm"},
-                 {"a.", false, FRAME_OUT_DIRECTORY, ".ppm"}};
+    } known[] = {{NULL, true, FRAME_OUT_NONE, ".ppm"},           {"-", true, FRAME_OUT_STREAM, ".ppm"},
+                 {"a.ppm", false, FRAME_OUT_FILE, ".ppm"},       {"a.ppm", true, FRAME_OUT_FILES, ".ppm"},
+                 {"a.png", false, FRAME_OUT_FILE, ".png"},       {"a.png", true, FRAME_OUT_FILES, ".png"},
+                 {"folder", false, FRAME_OUT_DIRECTORY, ".ppm"}, {".ppm", false, FRAME_OUT_DIRECTORY, ".ppm"},
+                 {"d/.x", false, FRAME_OUT_DIRECTORY, ".ppm"},   {"a.b/", false, FRAME_OUT_DIRECTORY, ".ppm"},
+                 {"a.b/c", false, FRAME_OUT_DIRECTORY, ".ppm"},  {"a.", false, FRAME_OUT_DIRECTORY, ".ppm"}};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
         struct frame_out out;
         assert_int_equal(open_out(&out, known[i].target, known[i].several, 9, NULL), 0);
@@ -127,7 +128,8 @@ static void pictures_come_back(void **state)
 {
     (void)state;
     static const char *const names[] = {"a.ppm", "a.png"};
-    for (int i = 0; i < 2; i++) {
+    const int kinds = strstr(png_in_reason, "without libpng") == NULL ? 2 : 1; /* that are read here */
+    for (int i = 0; i < kinds; i++) {
         struct frame_out out;
         struct ppm back;
         struct stderr_capture capture;
@@ -173,7 +175,11 @@ static void a_gif_is_written_at_the_end(void **state)
     (void)state;
     struct frame_out out;
     char head[7] = "";
+    if (gif_out_reason != NULL) {
+        skip(); /* no GIF is written here */
+    }
     assert_int_equal(open_out(&out, "a.gif", true, 9, NULL), 0);
+    assert_int_equal(out.kind, FRAME_OUT_GIF);
     assert_int_equal(frame_out_put(&out, 0, &picture), 0);
     assert_int_not_equal(access("a.gif", F_OK), 0);
     assert_int_equal(frame_out_close(&out, COMPLAINED), COMPLAINED); /* it failed: none */
