@@ -6,8 +6,15 @@
 
 extern const struct panel_controller panel_st7789; /* for panels that a caller makes up */
 
-extern const struct panel panel_st7789_240x240, panel_st7789_135x240, panel_st7789_240x320, panel_st7789_170x320,
-    panel_st7789_240x280, panel_gc9a01_240x240, panel_ili9341_240x320, panel_ili9488_320x480, panel_st7735s_128x128,
-    panel_st7735s_128x160, panel_st7735s_80x160, panel_ssd1351_128x128, panel_ssd0323_128x64;
+/* The panels that boards name: each is a struct panel in panel/panels_*.c. */
+/* clang-format off */
+#define PANELS_EACH(P) \
+    P(st7789_240x240) P(st7789_135x240) P(st7789_240x320) P(st7789_170x320) P(st7789_240x280) P(gc9a01_240x240) \
+    P(ili9341_240x320) P(ili9488_320x480) P(st7735s_128x128) P(st7735s_128x160) P(st7735s_80x160) \
+    P(ssd1351_128x128) P(ssd0323_128x64)
+/* clang-format on */
+
+#define PANELS_DECLARE(name) extern const struct panel panel_##name;
+PANELS_EACH(PANELS_DECLARE)
 
 #endif
