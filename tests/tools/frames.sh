@@ -10,9 +10,8 @@ frames_program() {
 
 frames() {
     local demo board depth
-    for demo in turntable testcard torus cube fill icosphere ground wireframe solar snake ball hitchcock parallel shadow \
-        fisheye focus conventions zfight zoom pinhole materials character yard; do
-        "$@" --demo $demo --size 320x240 --start 11 --frames 2 --crc | sed "s/^/$demo 320x240 auto /" || return 1
+    for demo in $("$@" --list | sed -n 's/^demo  *\([^ ]*\).*/\1/p'); do
+        "$@" --demo "$demo" --size 320x240 --start 11 --frames 2 --crc | sed "s/^/$demo 320x240 auto /" || return 1
     done
     for depth in fixed16 float16 fixed24 float24 linear-w; do
         for demo in cube ground zfight materials $([ ${depth#*16} ] || echo torus wireframe fisheye); do

@@ -5,9 +5,16 @@
 #include "demo.h"
 #include "overlay.h"
 
-extern const struct demo demo_turntable, demo_testcard, demo_torus, demo_cube, demo_fill, demo_icosphere, demo_ground,
-    demo_wireframe, demo_solar, demo_snake, demo_ball, demo_hitchcock, demo_shadow, demo_parallel, demo_fisheye,
-    demo_focus, demo_conventions, demo_zfight, demo_zoom, demo_pinhole, demo_materials, demo_character, demo_yard;
+/* The demos, in the order of the select button. */
+/* clang-format off */
+#define DEMOS_EACH(D) \
+    D(turntable) D(testcard) D(torus) D(cube) D(fill) D(icosphere) D(ground) D(wireframe) D(solar) D(snake) \
+    D(ball) D(hitchcock) D(parallel) D(shadow) D(fisheye) D(focus) D(conventions) D(zfight) D(zoom) D(pinhole) \
+    D(materials) D(character) D(yard)
+/* clang-format on */
+
+#define DEMOS_DECLARE(name) extern const struct demo demo_##name;
+DEMOS_EACH(DEMOS_DECLARE)
 
 /*
  * A perspective with an angle across the smaller side of the picture (in square and landscape pictures: vertically);

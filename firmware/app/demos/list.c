@@ -1,14 +1,10 @@
-/* The demos, in the order of the select button: a new one is added here and in demo_scene.h. */
+/* The list of demos: DEMOS_EACH of demo_scene.h. */
 #include "demo_scene.h"
 
 #include <string.h>
 
-const struct demo *const demo_list[] = {
-    &demo_turntable, &demo_testcard,  &demo_torus,     &demo_cube,      &demo_fill,        &demo_icosphere,
-    &demo_ground,    &demo_wireframe, &demo_solar,     &demo_snake,     &demo_ball,        &demo_hitchcock,
-    &demo_parallel,  &demo_shadow,    &demo_fisheye,   &demo_focus,     &demo_conventions, &demo_zfight,
-    &demo_zoom,      &demo_pinhole,   &demo_materials, &demo_character, &demo_yard,
-};
+#define LISTED(name) &demo_##name,
+const struct demo *const demo_list[] = {DEMOS_EACH(LISTED)};
 const uint32_t demo_count = sizeof(demo_list) / sizeof(demo_list[0]);
 
 const struct demo *demo_find(const char *name)
