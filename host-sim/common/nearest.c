@@ -30,9 +30,8 @@ static size_t distance(const char *a, const char *b)
     return row[n];
 }
 
-const char *nearest_text(const char *wrong, nearest_list *list, const void *from)
+const char *nearest_name(const char *wrong, nearest_list *list, const void *from)
 {
-    static char text[NAME_BYTES + 20];
     const char *best = NULL, *name;
     size_t found = 0;
     for (size_t i = 0; strlen(wrong) < NAME_BYTES && (name = list(from, i)) != NULL; i++) {
@@ -43,6 +42,13 @@ const char *nearest_text(const char *wrong, nearest_list *list, const void *from
             found = d;
         }
     }
+    return best;
+}
+
+const char *nearest_text(const char *wrong, nearest_list *list, const void *from)
+{
+    static char text[NAME_BYTES + 20];
+    const char *const best = nearest_name(wrong, list, from);
     snprintf(text, sizeof text, "did you mean %s? ", best != NULL ? best : "");
     return best != NULL ? text : "";
 }

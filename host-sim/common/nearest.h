@@ -7,8 +7,12 @@
 /* Returns name i of a list, or NULL at its end. */
 typedef const char *nearest_list(const void *from, size_t i);
 
-/* Returns "did you mean NAME? " with the name that takes the fewest changed, added or lost letters, at most a third of
- * the longer name's; else "". The text stays until the next call. */
+/* Returns the name that takes the fewest changed, added or lost letters, at most a third of the longer name's; else
+ * NULL.
+ */
+const char *nearest_name(const char *wrong, nearest_list *list, const void *from);
+
+/* Returns "did you mean NAME? " with the nearest name, or "". The text stays until the next call. */
 const char *nearest_text(const char *wrong, nearest_list *list, const void *from);
 
 /* Lists (nearest_kits.c): the demos, the boards. */

@@ -38,15 +38,23 @@ static bool has_word(const char *words, const char *word)
 static const char *row_name(const void *from, size_t i)
 {
     const struct option_table *table = from;
-    return i < table->count ? table->rows[i].name : NULL;
+    const struct option_row *row = &table->rows[i / 2];
+    return i / 2 >= table->count ? NULL : i % 2 != 0 && row->alias != NULL ? row->alias : row->name;
 }
 
-/* Returns "did you mean NAME? ", or an empty text. */
+/* Returns "did you mean --NAME? ", or an empty text. Of an option whose other name is nearest it has the main name. */
 static const char *suggest(const struct option_table *table, const char *text)
 {
+    static char hint[96];
     char name[64];
     snprintf(name, sizeof name, "%.*s", (int)(strcspn(text, "=") < 60 ? strcspn(text, "=") : 60), text);
-    return strncmp(name, "--", 2) == 0 ? nearest_text(name + 2, row_name, table) : "";
+    const char *const near = strncmp(name, "--", 2) == 0 ? nearest_name(name + 2, row_name, table) : NULL;
+    if (near == NULL) {
+        return "";
+    }
+    snprintf(name, sizeof name, "--%.60s", near);
+    snprintf(hint, sizeof hint, "did you mean --%s? ", option_table_find(table, name)->name);
+    return hint;
 }
 
 static bool store(const struct option_row *row, void *options, const char *value)

@@ -593,7 +593,8 @@ while IFS='|' read -r pattern options; do
     check "wrong_usage: $options" refuses 2 "$pattern" "${words[@]}"
 done <<'LIST'
 nothing to do|
-no such option; did you mean frames? |--frame 3 --crc
+no such option; did you mean --frames? |--frame 3 --crc
+no such option; did you mean --depth? |--formt fixed16 --crc
 no such demo; did you mean turntable? |--demo turntabel --crc
 no such board; did you mean pico-display? |--board pico-dislpay --crc
 no such demo; --list|--demo nothinglikeit --crc

@@ -140,8 +140,8 @@ static void a_wrong_option_gets_a_line(void **state)
         int argc;
         const char *said;
     } wrong[] = {{"--flag=1", "", 2, "--flag takes no value\n"},
-                 {"--flg", "", 2, "--flg: no such option; did you mean flag? --help lists them\n"},
-                 {"--coun=77777", "", 2, "--coun=77777: no such option; did you mean count? --help lists them\n"},
+                 {"--flg", "", 2, "--flg: no such option; did you mean --flag? --help lists them\n"},
+                 {"--coun=77777", "", 2, "--coun=77777: no such option; did you mean --count? --help lists them\n"},
                  {"--zzzz", "", 2, "--zzzz: no such option; --help lists them\n"},
                  {"-flag", "", 2, "-flag: no such option; --help lists them\n"},
                  {"-h", "", 2, "--help: no such option; --help lists them\n"},
