@@ -18,7 +18,7 @@ struct drawn {
 };
 
 #define MESH_BYTES_32  48
-#define DRAWN_BYTES_32 72
+#define DRAWN_BYTES_32 76
 _Static_assert(sizeof(void *) > 4 || sizeof(struct ph_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
 _Static_assert(sizeof(void *) > 4 || sizeof(struct drawn) == DRAWN_BYTES_32, "DRAWN_BYTES_32 is wrong");
 
@@ -46,8 +46,8 @@ static bool is_texture_right(const struct scene_file_head *head, const struct sc
 static bool are_textures_right(const struct scene_file_head *head, const struct scene_file_mesh *m)
 {
     const bool has_texture = m->texture.texels != 0, has_alphas = m->alphas.texels != 0;
-    const bool is_textured =
-        m->shading == PH_SHADE_TEXTURE || m->shading == PH_SHADE_TEXTURE_LIT || m->shading == PH_SHADE_TEXTURE_GOURAUD;
+    const bool is_textured = m->shading == SCENE_FILE_TEXTURE || m->shading == SCENE_FILE_TEXTURE_LIT ||
+                             m->shading == SCENE_FILE_TEXTURE_GOURAUD;
     return is_textured == has_texture && (has_texture || has_alphas) == (m->uvs != 0) &&
            (!has_texture || is_texture_right(head, &m->texture)) &&
            (!has_alphas || is_texture_right(head, &m->alphas)) &&
@@ -61,7 +61,7 @@ static bool is_share(int32_t share)
 
 static bool is_surface_right(const struct scene_file_mesh *m)
 {
-    return m->shading <= PH_SHADE_TEXTURE_GOURAUD && m->shading != PH_SHADE_WIRE && m->two_sided <= 1 &&
+    return m->shading < SCENE_FILE_SHADINGS && m->shading != SCENE_FILE_WIRE && m->two_sided <= 1 &&
            m->shininess_log2 <= 7 && m->blend <= SCENE_FILE_ADD && m->alpha <= 32 && m->depth_bias <= 56 &&
            is_share(m->ambient) && is_share(m->diffuse) && is_share(m->specular) &&
            (m->blend != SCENE_FILE_MASK || m->alphas.texels != 0) &&
@@ -182,6 +182,10 @@ const char *scene_file_wrong(const void *bytes, size_t room)
         if (!is_surface_right(&scene_file_table(head)[i])) {
             return "is broken: the surface of a mesh is none that can be drawn";
         }
+        const struct scene_file_shading *const shading = &scene_file_shadings[scene_file_table(head)[i].shading];
+        if (!shading->is_there) {
+            return shading->lacks;
+        }
     }
     return !scene_motion_right(head)      ? "is broken: its animation is not inside it"
            : !scene_motion_can_move(head) ? "is broken: its animation cannot be played"
@@ -222,7 +226,7 @@ static void set_drawn(struct drawn *d, const uint8_t *base, const struct scene_f
                                  .kind = blend_kinds[m->blend],
                                  .alpha = m->alpha,
                                  .alphas = m->alphas.texels != 0 ? &d->alphas : NULL};
-    d->material = (struct ph_material){.shading = m->shading,
+    d->material = (struct ph_material){.shading = scene_file_shadings[m->shading].shading,
                                        .two_sided = m->two_sided != 0,
                                        .shininess_log2 = m->shininess_log2,
                                        .depth_bias = m->depth_bias,

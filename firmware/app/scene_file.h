@@ -7,6 +7,16 @@
 
 #include "scene_motion.h"
 
+/* What a program draws scenes in, by the numbers of scene_format.h: it links these shadings, and no others.
+ * scene_file_wrong() returns `lacks` for a scene that needs one that is not there. */
+struct scene_file_shading {
+    bool is_there;
+    const struct ph_shading *shading;
+    const char *lacks;
+};
+
+extern const struct scene_file_shading scene_file_shadings[SCENE_FILE_SHADINGS];
+
 /* Returns NULL if `room` bytes from a 4-byte aligned place on begin with a scene that can be drawn, else what is wrong.
  * Every offset and index is checked. */
 const char *scene_file_wrong(const void *bytes, size_t room);

@@ -47,13 +47,25 @@ struct scene_file_texture {
 
 enum scene_file_blend { SCENE_FILE_OPAQUE, SCENE_FILE_MASK, SCENE_FILE_ALPHA, SCENE_FILE_ADD };
 
+/* Numbers of shadings; a scene has no wires. */
+enum scene_file_shading_number {
+    SCENE_FILE_UNLIT,
+    SCENE_FILE_FLAT,
+    SCENE_FILE_GOURAUD,
+    SCENE_FILE_TEXTURE,
+    SCENE_FILE_TEXTURE_LIT,
+    SCENE_FILE_WIRE,
+    SCENE_FILE_TEXTURE_GOURAUD,
+    SCENE_FILE_SHADINGS
+};
+
 /* Positions of a mesh that moves are those of struct ph_bound, else those of struct ph_mesh. */
 struct scene_file_mesh {
     uint32_t positions, normals, uvs, colours, triangles, ramp; /* offsets; 0: none of uvs, colours */
     uint32_t vertex_count, triangle_count;
     int32_t ambient, diffuse, specular;
     struct scene_file_texture texture, alphas;  /* alphas: of the blend; a mask has them */
-    uint8_t shading, two_sided, shininess_log2; /* two_sided: 0 or 1 */
+    uint8_t shading, two_sided, shininess_log2; /* enum scene_file_shading_number; 0 or 1 */
     uint8_t blend, alpha;                       /* enum scene_file_blend; 0 .. 32 */
     uint8_t depth_bias;                         /* 0 .. 56 */
     uint16_t colour;

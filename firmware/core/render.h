@@ -39,17 +39,21 @@ extern "C" {
 
 /* ---- what is drawn ------------------------------------------------------------------------------------- */
 
-enum ph_shading {
-    PH_SHADE_UNLIT,       /* material colour */
-    PH_SHADE_FLAT,        /* light at the triangle's first vertex */
-    PH_SHADE_GOURAUD,     /* light interpolated */
-    PH_SHADE_TEXTURE,     /* texture, unlit */
-    PH_SHADE_TEXTURE_LIT, /* texture times the light at the triangle's first vertex */
-    PH_SHADE_WIRE,        /* edges of the mesh as lines in the material colour */
-    /* texture times light that is interpolated, and the highlight on top: as with GOURAUD, texels fade from black to
-     * their colour at an intensity of 1, and to white above it */
-    PH_SHADE_TEXTURE_GOURAUD,
-};
+/* A shading: these names are addresses. A program links what draws in the shadings that its materials name, and nothing
+ * of the others. */
+struct ph_shading;
+extern const struct ph_shading ph_shade_flat, ph_shade_gouraud, ph_shade_texture, ph_shade_texture_lit, ph_shade_wire,
+    ph_shade_texture_gouraud;
+
+#define PH_SHADE_UNLIT       ((const struct ph_shading *)NULL) /* material colour */
+#define PH_SHADE_FLAT        (&ph_shade_flat)                  /* light at the triangle's first vertex */
+#define PH_SHADE_GOURAUD     (&ph_shade_gouraud)               /* light interpolated */
+#define PH_SHADE_TEXTURE     (&ph_shade_texture)               /* texture, unlit */
+#define PH_SHADE_TEXTURE_LIT (&ph_shade_texture_lit) /* texture times the light at the triangle's first vertex */
+#define PH_SHADE_WIRE        (&ph_shade_wire)        /* edges of the mesh as lines in the material colour */
+/* Texture times light that is interpolated, and the highlight on top: as with GOURAUD, texels fade from black to their
+ * colour at an intensity of 1, and to white above it. */
+#define PH_SHADE_TEXTURE_GOURAUD (&ph_shade_texture_gouraud)
 
 enum ph_wrap { PH_WRAP_REPEAT, PH_WRAP_CLAMP };
 
@@ -109,20 +113,20 @@ struct ph_blend {
 void ph_draw_blended(struct ph_renderer *r, const struct ph_band *band);
 
 struct ph_material {
-    uint8_t shading;        /* enum ph_shading */
-    uint8_t two_sided;      /* draw back faces too */
-    uint8_t shininess_log2; /* specular exponent 2^this, 0 .. 7 */
-    uint8_t depth_bias;     /* towards the viewer, 0 .. 56, in codes of fixed16 or eighths of codes of float16 */
-    fx_t ambient;           /* share of the scene's ambient light reflected, 0 .. 1 */
-    fx_t diffuse;           /* 0 .. 1 */
-    fx_t specular;          /* 0 .. 1 */
-    uint16_t colour;        /* wire order */
+    const struct ph_shading *shading; /* PH_SHADE_... */
+    uint8_t two_sided;                /* draw back faces too */
+    uint8_t shininess_log2;           /* specular exponent 2^this, 0 .. 7 */
+    uint8_t depth_bias; /* towards the viewer, 0 .. 56, in codes of fixed16 or eighths of codes of float16 */
     /* Towards the viewer, too, for decals on surfaces that lean away: this many sixteenths of what depth changes by
      * from pixel to pixel, right or down, whichever is more; at most the range of the triangle's corners. With linear-w
      * it is taken at the farthest corner, and at most 255 codes together with depth_bias. 2 is enough for a decal that
      * lies in the plane of its surface. 0: none. Such a triangle takes the place of two in the list; where the list is
      * full it has depth_bias alone. */
     uint8_t depth_bias_slope;
+    fx_t ambient;         /* share of the scene's ambient light reflected, 0 .. 1 */
+    fx_t diffuse;         /* 0 .. 1 */
+    fx_t specular;        /* 0 .. 1 */
+    uint16_t colour;      /* wire order */
     const uint16_t *ramp; /* FLAT and GOURAUD: PH_RAMP_SIZE colours, made by ph_material_ramp() */
     const struct ph_texture *texture;
     const struct ph_blend *blend; /* NULL: opaque */

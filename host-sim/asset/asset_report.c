@@ -9,7 +9,7 @@
 
 /* Bytes beside the arrays, on a 32-bit target. */
 #define MESH_BYTES     48
-#define MATERIAL_BYTES 32
+#define MATERIAL_BYTES 36
 #define PART_BYTES     12
 #define BLEND_BYTES    12
 #define TEXTURE_BYTES  8

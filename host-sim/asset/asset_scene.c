@@ -118,6 +118,15 @@ static uint32_t write_moving(struct writer *to, const struct animation *a, uint3
     return append(to, &m, sizeof m);
 }
 
+static uint8_t number_of_shading(const struct ph_shading *shading)
+{
+    uint8_t number = 0;
+    while (number < SCENE_FILE_SHADINGS - 1 && scene_file_shadings[number].shading != shading) {
+        number++;
+    }
+    return number;
+}
+
 static struct scene_file_mesh write_mesh(struct writer *to, const struct asset *asset, uint32_t i,
                                          const struct scene_file_mesh *before)
 {
@@ -143,7 +152,7 @@ static struct scene_file_mesh write_mesh(struct writer *to, const struct asset *
         .ambient = material->ambient,
         .diffuse = material->diffuse,
         .specular = material->specular,
-        .shading = material->shading,
+        .shading = number_of_shading(material->shading),
         .two_sided = material->two_sided,
         .shininess_log2 = material->shininess_log2,
         .blend = blend == NULL ? SCENE_FILE_OPAQUE : blends[blend->kind],

@@ -126,22 +126,26 @@ static void put_blend(FILE *file, const struct ph_blend *from, uint32_t m)
     fputs("};\n", file);
 }
 
+static const char *shading_name(const struct ph_shading *shading)
+{
+    return shading == PH_SHADE_FLAT              ? "PH_SHADE_FLAT"
+           : shading == PH_SHADE_GOURAUD         ? "PH_SHADE_GOURAUD"
+           : shading == PH_SHADE_TEXTURE         ? "PH_SHADE_TEXTURE"
+           : shading == PH_SHADE_TEXTURE_LIT     ? "PH_SHADE_TEXTURE_LIT"
+           : shading == PH_SHADE_TEXTURE_GOURAUD ? "PH_SHADE_TEXTURE_GOURAUD"
+                                                 : "PH_SHADE_UNLIT";
+}
+
 static void put_material(FILE *file, const struct asset *asset, uint32_t m)
 {
     const struct model *const model = &asset->model;
-    static const char *const shadings[] = {[PH_SHADE_UNLIT] = "PH_SHADE_UNLIT",
-                                           [PH_SHADE_FLAT] = "PH_SHADE_FLAT",
-                                           [PH_SHADE_GOURAUD] = "PH_SHADE_GOURAUD",
-                                           [PH_SHADE_TEXTURE] = "PH_SHADE_TEXTURE",
-                                           [PH_SHADE_TEXTURE_LIT] = "PH_SHADE_TEXTURE_LIT",
-                                           [PH_SHADE_TEXTURE_GOURAUD] = "PH_SHADE_TEXTURE_GOURAUD"};
     const struct ph_material *from = model->meshes[m].materials;
     fprintf(file,
             "\nstatic const struct ph_material material_%u = {\n"
             "    .shading = %s,\n    .two_sided = %s,\n    .shininess_log2 = %u,\n    .depth_bias = %u,\n    .ambient "
             "= %" PRId32 ",\n    .diffuse = %" PRId32 ",\n    .specular = %" PRId32
             ",\n    .colour = W(0x%04X),\n    .ramp = ramp_%u,\n",
-            (unsigned)m, shadings[from->shading], from->two_sided ? "true" : "false", from->shininess_log2,
+            (unsigned)m, shading_name(from->shading), from->two_sided ? "true" : "false", from->shininess_log2,
             from->depth_bias, from->ambient, from->diffuse, from->specular, number_of(from->colour),
             (unsigned)asset->first_ramps[m]);
     if (from->texture != NULL) {

@@ -6,7 +6,9 @@
 #include "complain.h"
 #include "progress.h"
 
-const char *const depth_shading_names[PH_SHADE_WIRE] = {"unlit", "flat", "gouraud", "texture", "texture-lit"};
+const struct ph_shading *const depth_shadings[DEPTH_SHADINGS] = {PH_SHADE_UNLIT, PH_SHADE_FLAT, PH_SHADE_GOURAUD,
+                                                                 PH_SHADE_TEXTURE, PH_SHADE_TEXTURE_LIT};
+const char *const depth_shading_names[DEPTH_SHADINGS] = {"unlit", "flat", "gouraud", "texture", "texture-lit"};
 
 int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *projection)
 {

@@ -32,7 +32,7 @@ struct depth_lab {
     fx_t tilt_deg;          /* --tilt, -89 .. 89 */
     bool tilt_set;          /* --tilt was given */
     fx_t azimuth_deg;       /* --azimuth, -360 .. 360 */
-    uint8_t shading;        /* --shading, enum ph_shading below PH_SHADE_WIRE */
+    uint8_t shading;        /* --shading: a number in depth_shadings */
     bool far_set;           /* --far was given */
     bool near_set;          /* --near was given */
     uint8_t exponent;       /* bits of exponent of the float that is measured; 0: as many as the renderer takes */
@@ -61,8 +61,10 @@ int depth_compare(const struct depth_lab *lab);
 int depth_plot(const struct depth_lab *lab);
 int depth_report(const struct depth_lab *lab); /* `all` */
 
-/* The names unlit, flat, gouraud, texture, texture-lit. */
-extern const char *const depth_shading_names[PH_SHADE_WIRE];
+/* The shadings that the lab draws in, by number, and their names: unlit, flat .. */
+enum { DEPTH_SHADINGS = 5 };
+extern const struct ph_shading *const depth_shadings[DEPTH_SHADINGS];
+extern const char *const depth_shading_names[DEPTH_SHADINGS];
 
 /* Gets the perspective of the lab's camera. 0, or PH_ERR_INVAL for an impossible one (the options are checked for
  * that). */

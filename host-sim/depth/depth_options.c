@@ -137,7 +137,7 @@ static bool set_azimuth(void *to, const char *value)
 static bool set_shading(void *to, const char *value)
 {
     struct depth_lab *lab = to;
-    const int shading = option_text_choice(value, depth_shading_names, PH_SHADE_WIRE);
+    const int shading = option_text_choice(value, depth_shading_names, DEPTH_SHADINGS);
     lab->shading = (uint8_t)(shading < 0 ? 0 : shading);
     return shading >= 0;
 }

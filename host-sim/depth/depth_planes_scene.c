@@ -118,7 +118,7 @@ const struct ph_material *depth_planes_paint(struct planes_canvas *canvas, uint1
         paint->ramp[i] = colour;
     }
     paint->texture = (struct ph_texture){.texels = paint->ramp};
-    paint->material = (struct ph_material){.shading = canvas->shading,
+    paint->material = (struct ph_material){.shading = depth_shadings[canvas->shading],
                                            .two_sided = 1,
                                            .ambient = FX_ONE,
                                            .diffuse = FX_ONE,

@@ -53,7 +53,7 @@ struct planes_canvas {
     const struct depth_lab *lab;
     struct ph_renderer renderer;
     struct ph_xform view; /* turned about z alone, see depth_planes_turn() */
-    uint8_t shading;      /* enum ph_shading, below PH_SHADE_WIRE; UNLIT at first */
+    uint8_t shading;      /* a number in depth_shadings; 0, UNLIT, at first */
     struct ph_projection projection;
     struct planes_paint paint[2]; /* of the last drawing */
     /* NULL, or who draws in place of the renderer into pixels: so another renderer is measured by the same sweep. */

@@ -215,7 +215,7 @@ static void count_sphere(struct planes_canvas *canvas, struct result *result)
     const uint8_t shading = canvas->shading;
     struct sphere sphere;
     make_sphere(&sphere, distance, radius);
-    for (unsigned below = 0; below < PH_SHADE_WIRE; below++) {
+    for (unsigned below = 0; below < DEPTH_SHADINGS; below++) {
         ph_frame_begin(&canvas->renderer, &canvas->view, &canvas->projection, NULL, PLANES_NONE);
         canvas->shading = (uint8_t)below;
         draw_sphere(canvas, &sphere, PLANES_BEHIND);
@@ -260,7 +260,7 @@ static int put_format(const struct depth_lab *lab, const struct lab_format *form
     struct planes_canvas canvas;
     const int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
     for (int scene = 0; scene < 5 && status == 0; scene++) {
-        for (unsigned shading = 0; shading < PH_SHADE_WIRE; shading++) {
+        for (unsigned shading = 0; shading < DEPTH_SHADINGS; shading++) {
             canvas.shading = (uint8_t)shading;
             put_scene(&canvas, format, scene);
         }

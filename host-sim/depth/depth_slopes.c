@@ -28,7 +28,7 @@ static int put_format(const struct depth_lab *lab, const struct lab_format *form
 {
     struct planes_canvas canvas;
     const int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
-    for (unsigned shading = 0; shading < PH_SHADE_WIRE && status == 0; shading++) {
+    for (unsigned shading = 0; shading < DEPTH_SHADINGS && status == 0; shading++) {
         canvas.shading = (uint8_t)shading;
         for (size_t i = 0; i < TILTS; i++) {
             progress_show("slopes", (*done)++, total);
@@ -46,7 +46,7 @@ int depth_slopes(const struct depth_lab *lab)
     const uint32_t distances = lab->at_count > 0 ? lab->at_count : 1;
     uint32_t done = 0, total = 0;
     for (uint32_t i = 0; i < lab_format_count; i++) {
-        total += (rows >> i & 1) * distances * PH_SHADE_WIRE * (uint32_t)TILTS;
+        total += (rows >> i & 1) * distances * DEPTH_SHADINGS * (uint32_t)TILTS;
     }
     int status =
         rows != 0 ? 0 : complain_usage("--depth: slopes draws with the renderer's own formats; --help lists them");

@@ -144,7 +144,7 @@ static void make_mesh(struct scene_file_mesh *mesh, bool moves)
                                      .diffuse = FX_ONE / 2,
                                      .two_sided = 1,
                                      .shininess_log2 = 3,
-                                     .shading = moves ? PH_SHADE_TEXTURE_GOURAUD : PH_SHADE_GOURAUD,
+                                     .shading = moves ? SCENE_FILE_TEXTURE_GOURAUD : SCENE_FILE_GOURAUD,
                                      .alpha = 16};
     if (moves) {
         mesh->uvs = put(uvs, sizeof uvs);

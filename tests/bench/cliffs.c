@@ -127,9 +127,9 @@ static void measure(const char *name, const char *variant, enum unit unit, const
     machine_stop(what, units[unit]);
 }
 
-static void set_material(enum ph_shading shading)
+static void set_material(const struct ph_shading *shading)
 {
-    material = (struct ph_material){.shading = (uint8_t)shading,
+    material = (struct ph_material){.shading = shading,
                                     .two_sided = 1,
                                     .ambient = FX_ONE / 5,
                                     .diffuse = 4 * FX_ONE / 5,
@@ -162,7 +162,7 @@ static void add_triangle(const fx_t x[3], const fx_t y[3])
 }
 
 /* Right triangles of so many eighths of a pixel, side by side over the picture, `most` at most. */
-static void field(enum ph_shading shading, int32_t wide, int32_t high, uint32_t most)
+static void field(const struct ph_shading *shading, int32_t wide, int32_t high, uint32_t most)
 {
     const fx_t w = wide * PX / 8, h = high * PX / 8;
     set_material(shading);
@@ -174,7 +174,7 @@ static void field(enum ph_shading shading, int32_t wide, int32_t high, uint32_t 
 }
 
 /* A square of side 2, with the texture from `from` to `to`. */
-static void square(enum ph_shading shading, fx_t from, fx_t to)
+static void square(const struct ph_shading *shading, fx_t from, fx_t to)
 {
     static const fx_t x[3] = {-FX_ONE, FX_ONE, FX_ONE}, y[3] = {-FX_ONE, -FX_ONE, FX_ONE};
     set_material(shading);
@@ -197,7 +197,7 @@ static void scale(int32_t by)
     mesh.positions = positions;
 }
 
-static void torus(enum ph_shading shading)
+static void torus(const struct ph_shading *shading)
 {
     struct demo_arena arena = {(uint8_t *)arena_bytes, sizeof arena_bytes, 0};
     set_material(shading);
@@ -367,7 +367,7 @@ static void shadings(void)
 {
     static const struct {
         const char *name;
-        enum ph_shading shading;
+        const struct ph_shading *shading;
     } other[] = {{"flat-torus", PH_SHADE_FLAT}, {"unlit-torus", PH_SHADE_UNLIT}};
     const struct view view = usual();
     for (int i = 0; i < 2; i++) {

@@ -71,7 +71,7 @@ static void build_maps(uint16_t *texels, const uint16_t *base)
 }
 
 /* The demos' states begin with their mesh. That of the torus becomes the textured one. */
-static int init_with(struct demo_context *context, uint8_t shading, uint8_t filter)
+static int init_with(struct demo_context *context, const struct ph_shading *shading, uint8_t filter)
 {
     struct textured *const t = demo_alloc(&context->arena, sizeof *t);
     if (t == NULL || demo_find("cube")->init(context) != PH_OK) {

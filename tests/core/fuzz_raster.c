@@ -343,7 +343,10 @@ static struct ph_material any_material(struct content *c, int i)
     if (c->blends[i].kind != PH_BLEND_MASK && below(2)) {
         c->blends[i].alphas = NULL;
     }
-    return (struct ph_material){.shading = (uint8_t)below(PH_SHADE_TEXTURE_GOURAUD + 1),
+    static const struct ph_shading *const shadings[7] = {
+        PH_SHADE_UNLIT,       PH_SHADE_FLAT, PH_SHADE_GOURAUD,        PH_SHADE_TEXTURE,
+        PH_SHADE_TEXTURE_LIT, PH_SHADE_WIRE, PH_SHADE_TEXTURE_GOURAUD};
+    return (struct ph_material){.shading = shadings[below(7)],
                                 .two_sided = (uint8_t)below(2),
                                 .shininess_log2 = (uint8_t)below(8),
                                 .depth_bias = (uint8_t)(below(2) ? below(57) : 0),

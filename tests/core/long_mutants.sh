@@ -79,7 +79,7 @@ thin triangles left to 15 bits           | kernels/portable/setup_small.c | s/RO
 depth beyond the corners                 | render/exact.c   | s/const bool clamped = .*/const bool clamped = false;/ | test_depth_slopes
 exact depth of another octave             | render/exact.c   | s/e->unit - octave;/e->unit - 1 - octave;/           | test_depth_slopes
 the slope's bias ignored                 | render/exact.c   | s/material->depth_bias_slope != 0/false/          | test_depth_slopes
-light of a texture ignored               | render/planes.h  | s/== PH_SHADE_TEXTURE_LIT ?/== 99 ?/               | test_frame
+light of a texture ignored               | render/planes.h  | s/corners == PH_FIRST_CORNER ?/corners == 99 ?/      | test_frame
 red and blue bytes exchanged             | render/colour.c  | s/ph_wire16(/(/                                      | test_frame
 tangent with a term halved               | fx/fx_tan.c      | s/Q33(2, 93555)/Q33(1, 93555)/                       | test_fx
 a tangent below 45 degrees not rounded   | fx/fx_tan.c      | s/ + (1 << 27)//                                     | test_fx

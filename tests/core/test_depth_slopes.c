@@ -44,7 +44,8 @@ struct lens {
 /* What a triangle can look like. Its depth must not depend on it. */
 struct surface {
     const char *name;
-    uint8_t shading, filter, wrap;
+    const struct ph_shading *shading;
+    uint8_t filter, wrap;
     int8_t blend;                  /* enum ph_blend_kind; NONE: opaque */
     bool fog, coloured, is_tinted; /* coloured: the mesh has colours; is_tinted: the light has one */
 };
@@ -760,8 +761,8 @@ enum { GROUND = 1, DECAL = 2, BOX = 3 };
 
 /* A floor seen at a grazing angle, a decal in its plane whose corners are none of the floor's, and a box that hides a
  * part of both. Counts the pixels of the decal that do not show, and those of the box that the decal covers. */
-static void decal_on_floor(enum ph_depth_format format, uint8_t slope, int shading, int *hidden, int *shown,
-                           int *through)
+static void decal_on_floor(enum ph_depth_format format, uint8_t slope, const struct ph_shading *shading, int *hidden,
+                           int *shown, int *through)
 {
     enum { SIDE = 240 };
     const struct lens lens = {.5, 100};
@@ -781,7 +782,7 @@ static void decal_on_floor(enum ph_depth_format format, uint8_t slope, int shadi
     for (int k = 0; k < 3; k++) {
         materials[k] = material_of(&surfaces[0], NULL, (uint16_t)(GROUND + k));
     }
-    materials[1].shading = (uint8_t)shading;
+    materials[1].shading = shading;
     materials[1].texture = &texture;
     materials[1].depth_bias_slope = slope;
     static uint16_t alone[SIDE * SIDE];
@@ -813,7 +814,7 @@ static void decal_on_floor(enum ph_depth_format format, uint8_t slope, int shadi
 
 static void a_decal_lies_on_a_surface_that_leans_away(void **state)
 {
-    static const int shadings[] = {PH_SHADE_UNLIT, PH_SHADE_TEXTURE};
+    static const struct ph_shading *const shadings[] = {PH_SHADE_UNLIT, PH_SHADE_TEXTURE};
     (void)state;
     for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
         for (int i = 0; i < 2; i++) {
@@ -822,9 +823,9 @@ static void a_decal_lies_on_a_surface_that_leans_away(void **state)
             assert_true(fought > 100);
             shown = through = 0;
             decal_on_floor(format, 2, shadings[i], &hidden, &shown, &through);
-            printf("# format %u shading %d: %d pixels of a decal lie below the floor, with the slope's bias %d, of %d; "
+            printf("# format %u shading %s: %d pixels of a decal lie below the floor, with the slope's bias %d, of %d; "
                    "%d before a box\n",
-                   format, shadings[i], fought, hidden, shown, through);
+                   format, i == 0 ? "unlit" : "texture", fought, hidden, shown, through);
             assert_int_equal(hidden, 0);
             assert_int_equal(through, 0);
             assert_true(shown > 1000);

@@ -44,7 +44,7 @@ static void begin_lit(struct drawing *d)
 }
 
 /* Draws `screen` with the cosines of the normals at x = 0 and x = 16. */
-static void draw_lit_screen(struct drawing *d, enum ph_shading shading, double left, double right)
+static void draw_lit_screen(struct drawing *d, const struct ph_shading *shading, double left, double right)
 {
     for (int i = 0; i < 2; i++) {
         struct rig_one *one = shape_mesh(d, &screen[i]);
@@ -54,7 +54,7 @@ static void draw_lit_screen(struct drawing *d, enum ph_shading shading, double l
             one->normals[k][2] = (int16_t)lrint(cosine * 16384);
         }
         one->mesh.normals = (const int16_t(*)[3])one->normals;
-        one->material.shading = (uint8_t)shading;
+        one->material.shading = shading;
         one->material.diffuse = FX_ONE;
         one->material.ramp = index_ramp;
         draw_mesh(d, one);
@@ -99,7 +99,7 @@ static void flat_light_is_that_of_the_first_vertex(void **state)
 /* ---- textures --------------------------------------------------------------------------------------------- */
 
 /* 8 x 4 texels, one a pixel; texture coordinates -1/2 .. 3/2 across and -1 .. 2 down the picture. */
-static void expect_texture(enum ph_wrap wrap, enum ph_shading shading, const char *const rows[HEIGHT])
+static void expect_texture(enum ph_wrap wrap, const struct ph_shading *shading, const char *const rows[HEIGHT])
 {
     static const char letters[4][9] = {"abcdefgh", "ijklmnop", "qrstuvwx", "01234567"};
     uint16_t texels[32];
@@ -116,7 +116,7 @@ static void expect_texture(enum ph_wrap wrap, enum ph_shading shading, const cha
             one->uvs[k][1] = (fx_t)(65536 * (screen[i].corners[k][1] / 4 - 1));
         }
         one->mesh.uvs = (const fx_t(*)[2])one->uvs;
-        one->material.shading = (uint8_t)shading;
+        one->material.shading = shading;
         one->material.texture = &texture;
         one->material.ambient = FX_ONE;
         one->mesh.normals = (const int16_t(*)[3])one->normals;
@@ -564,8 +564,9 @@ static void a_material_may_change_after_its_draw(void **state)
     static const uint16_t texels[4] = {0x1111, 0x2222, 0x3333, 0x4444};
     static const struct ph_texture texture = {.texels = texels, .log2_width = 1, .log2_height = 1};
     static const struct ph_blend half = {.draw = ph_draw_blended, .kind = PH_BLEND_ALPHA, .alpha = 16};
-    static const uint8_t shadings[] = {PH_SHADE_UNLIT,   PH_SHADE_FLAT,        PH_SHADE_GOURAUD,
-                                       PH_SHADE_TEXTURE, PH_SHADE_TEXTURE_LIT, PH_SHADE_TEXTURE_GOURAUD};
+    static const struct ph_shading *const shadings[] = {PH_SHADE_UNLIT,       PH_SHADE_FLAT,
+                                                        PH_SHADE_GOURAUD,     PH_SHADE_TEXTURE,
+                                                        PH_SHADE_TEXTURE_LIT, PH_SHADE_TEXTURE_GOURAUD};
     uint16_t ramp[PH_RAMP_SIZE], picture[WIDTH * HEIGHT];
     ph_material_ramp(ramp, 255, 160, 64, 0);
     for (int i = 0; i < 4 * COUNT(shadings); i++) {

@@ -285,7 +285,8 @@ static int pixels_that_differ(const uint16_t *a, const uint16_t *b)
     return n;
 }
 
-static void check_equal_depths(struct square *s, enum ph_depth_format format, enum ph_wrap wrap, uint8_t shading)
+static void check_equal_depths(struct square *s, enum ph_depth_format format, enum ph_wrap wrap,
+                               const struct ph_shading *shading)
 {
     static uint16_t other[TEXELS * TEXELS], first[WIDTH * HEIGHT];
     const struct ph_texture texture = {.texels = other, .log2_width = LOG2, .log2_height = LOG2, .wrap = (uint8_t)wrap};

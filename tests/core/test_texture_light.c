@@ -81,7 +81,7 @@ static void maps(struct scene *s)
     }
 }
 
-static void scene_open(struct scene *s, uint8_t shading, uint8_t filter)
+static void scene_open(struct scene *s, const struct ph_shading *shading, uint8_t filter)
 {
     textured_torus_build(&s->torus);
     rig_mesh_build(&s->mesh, &s->torus);
@@ -177,7 +177,7 @@ static void count_pixel(struct errors *e, const struct scene *s, const struct ri
     e->most = fmax(e->most, best);
 }
 
-static struct errors errors_of(uint8_t shading, uint8_t filter, enum ph_depth_format format)
+static struct errors errors_of(const struct ph_shading *shading, uint8_t filter, enum ph_depth_format format)
 {
     static struct scene s;
     struct rig rig;
@@ -198,8 +198,8 @@ static struct errors errors_of(uint8_t shading, uint8_t filter, enum ph_depth_fo
     return e;
 }
 
-static void expect_errors(const char *what, uint8_t shading, uint8_t filter, enum ph_depth_format format, double mean,
-                          double off)
+static void expect_errors(const char *what, const struct ph_shading *shading, uint8_t filter,
+                          enum ph_depth_format format, double mean, double off)
 {
     const struct errors e = errors_of(shading, filter, format);
     const double n = (double)e.pixels, sum = e.sum / n;
@@ -250,7 +250,8 @@ static void picture_of(const struct scene *s, int band_height, enum ph_depth_for
 
 static void pictures_do_not_depend_on_bands(void **state)
 {
-    static const uint8_t shadings[] = {PH_SHADE_TEXTURE, PH_SHADE_TEXTURE_LIT, PH_SHADE_TEXTURE_GOURAUD};
+    static const struct ph_shading *const shadings[] = {PH_SHADE_TEXTURE, PH_SHADE_TEXTURE_LIT,
+                                                        PH_SHADE_TEXTURE_GOURAUD};
     static struct scene s;
     static uint16_t whole[WIDTH * HEIGHT], bands[WIDTH * HEIGHT];
     (void)state;

@@ -380,7 +380,7 @@ static void a_tilted_plane_stays_below_its_bound(void **state)
         const double azimuth = i % 3 == 0 ? 0 : i % 3 == 1 ? NAN : random_log(&random, 1, 360);
         struct planes_canvas canvas;
         assert_int_equal(depth_planes_open(&canvas, &lab, format), 0);
-        canvas.shading = (uint8_t)(i % (PH_SHADE_TEXTURE_LIT + 1));
+        canvas.shading = (uint8_t)(i % (DEPTH_SHADINGS));
         const struct planes_sweep sweep = depth_planes_sweep(&canvas, format, (struct planes_lean){z, tilt, azimuth});
         if (isfinite(sweep.measured_m) && (sweep.measured_m > sweep.bound_m + 1e-9 ||
                                            sweep.bound_m > (fabs(tilt) < 76 ? 4 : 12) * sweep.measured_m)) {

@@ -139,12 +139,12 @@ static void emission_is_in_the_ramp_and_unlit_has_none(void **state)
                                         "none.png", "");
     const uint16_t darkest = model->meshes->materials->ramp[0];
     assert_int_equal(darkest & ph_rgb565(255, 0, 0), ph_rgb565(255, 0, 0));
-    assert_int_equal(model->meshes->materials->shading, PH_SHADE_GOURAUD);
+    assert_ptr_equal(model->meshes->materials->shading, PH_SHADE_GOURAUD);
     model_close(model);
     model = with_material("\"pbrMetallicRoughness\":{\"baseColorFactor\":[0,1,0,1]},"
                           "\"extensions\":{\"KHR_materials_unlit\":{}}",
                           "none.png", "");
-    assert_int_equal(model->meshes->materials->shading, PH_SHADE_UNLIT);
+    assert_ptr_equal(model->meshes->materials->shading, PH_SHADE_UNLIT);
     assert_int_equal(model->meshes->materials->colour, ph_rgb565(0, 255, 0));
     model_close(model);
 }
@@ -158,7 +158,7 @@ static void a_texture_that_glows_on_black_is_drawn_unlit(void **state)
                                         "glow.png", "");
     const struct ph_material *material = model->meshes->materials;
     assert_null(model->note);
-    assert_int_equal(material->shading, PH_SHADE_TEXTURE);
+    assert_ptr_equal(material->shading, PH_SHADE_TEXTURE);
     assert_int_equal(material->texture->texels[0], ph_rgb565(128, 61, 0));
     model_close(model);
 }
@@ -177,9 +177,9 @@ static void a_glow_is_drawn_over_its_surface(void **state)
         const struct ph_material *glow = model->meshes[1].materials;
         assert_null(model->note);
         assert_int_equal(model->mesh_count, 2);
-        assert_int_equal(model->meshes[0].materials->shading, k == 0 ? PH_SHADE_GOURAUD : PH_SHADE_TEXTURE_GOURAUD);
+        assert_ptr_equal(model->meshes[0].materials->shading, k == 0 ? PH_SHADE_GOURAUD : PH_SHADE_TEXTURE_GOURAUD);
         assert_null(model->meshes[0].materials->blend);
-        assert_int_equal(glow->shading, PH_SHADE_TEXTURE);
+        assert_ptr_equal(glow->shading, PH_SHADE_TEXTURE);
         assert_int_equal(glow->texture->texels[0], ph_rgb565(128, 61, 0));
         assert_int_equal(glow->blend->kind, PH_BLEND_ADD);
         assert_in_range(glow->depth_bias, 8, 56);

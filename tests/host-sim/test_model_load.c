@@ -221,7 +221,7 @@ static void materials_become_colours(void **state)
     const uint16_t first = model->meshes[0].materials->colour, second = model->meshes[1].materials->colour;
     assert_true((first == red && second == half) || (first == half && second == red));
     assert_null(model->note);
-    assert_int_equal(model->meshes[0].materials->shading, PH_SHADE_GOURAUD);
+    assert_ptr_equal(model->meshes[0].materials->shading, PH_SHADE_GOURAUD);
     model_close(model);
 }
 
@@ -364,7 +364,7 @@ static void png_texture_is_resampled_to_a_power_of_two(void **state)
     const struct ph_mesh *mesh = model->meshes;
     const struct ph_texture *texture = mesh->materials->texture;
     assert_non_null(texture);
-    assert_int_equal(mesh->materials->shading, PH_SHADE_TEXTURE_GOURAUD);
+    assert_ptr_equal(mesh->materials->shading, PH_SHADE_TEXTURE_GOURAUD);
     assert_int_equal(texture->log2_width, 2);
     assert_int_equal(texture->log2_height, 1);
     assert_string_equal(model->note, "texture six.png is resized from 3x2 to 4x2");
@@ -421,7 +421,7 @@ static void a_texture_and_two_sides_are_given_to_all(void **state)
     const struct model_options wrong = {.texture = file_path("none.png")};
     model = open_with(obj, (struct model_options){.texture = file_path("six.png"), .two_sided = true});
     assert_int_equal(model->meshes->materials->texture->texels[0], ph_rgb565(255, 0, 0));
-    assert_int_equal(model->meshes->materials->shading, PH_SHADE_TEXTURE_GOURAUD);
+    assert_ptr_equal(model->meshes->materials->shading, PH_SHADE_TEXTURE_GOURAUD);
     assert_true(model->meshes->materials->two_sided);
     model_close(model);
     stderr_capture_begin(&c);
@@ -448,7 +448,7 @@ static void a_texture_that_cannot_be_used_leaves_the_colour_and_a_note(void **st
         assert_non_null(strstr(model->note, reasons[i]));
         assert_null(strchr(model->note, '\n'));
         assert_null(model->meshes->materials->texture);
-        assert_int_equal(model->meshes->materials->shading, PH_SHADE_GOURAUD);
+        assert_ptr_equal(model->meshes->materials->shading, PH_SHADE_GOURAUD);
         assert_int_equal(model->meshes->materials->colour, ph_rgb565(0, 255, 0));
         model_close(model);
     }

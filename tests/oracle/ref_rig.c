@@ -147,8 +147,8 @@ uint16_t rig_fill_colour(int quad)
 
 static void materials_build(struct rig_mesh *m, const struct ref_scene *scene)
 {
-    static const uint8_t shading[REF_SCENES] = {PH_SHADE_GOURAUD, PH_SHADE_TEXTURE, PH_SHADE_UNLIT, PH_SHADE_GOURAUD,
-                                                PH_SHADE_GOURAUD};
+    static const struct ph_shading *const shading[REF_SCENES] = {PH_SHADE_GOURAUD, PH_SHADE_TEXTURE, PH_SHADE_UNLIT,
+                                                                 PH_SHADE_GOURAUD, PH_SHADE_GOURAUD};
     uint32_t parts = scene->id == REF_FILL ? 8 : 1, each = (uint32_t)scene->triangle_count / parts;
     ph_material_ramp(m->ramp, 255, 160, 64, 0);
     for (int y = 0; y < REF_TEXTURE_SIZE; y++) {

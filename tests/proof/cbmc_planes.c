@@ -18,7 +18,7 @@ void proof_area(void)
 void proof_plane_base(void)
 {
     struct triangle t;
-    struct plane_base base;
+    struct ph_plane_base base;
     any_triangle(&t);
     plane_base(&base, t.v[0], &t.sides);
     CLAIM(base.part_x >= 0 && base.part_x <= 255 && base.part_y >= 0 && base.part_y <= 255);
@@ -27,17 +27,17 @@ void proof_plane_base(void)
 }
 
 /* A base as proof_plane_base found it. */
-static struct plane_base any_base(struct triangle *t)
+static struct ph_plane_base any_base(struct triangle *t)
 {
     any_triangle(t);
     const bool is_short = t->sides.is_short;
-    return (struct plane_base){&t->sides,
-                               i32_between(-REACH / 256 - 1, REACH / 256 + 1),
-                               i32_between(-REACH / 256 - 1, REACH / 256 + 1),
-                               i32_between(0, 255),
-                               i32_between(0, 255),
-                               i32_between(is_short ? 1 << 15 : 1 << 29, is_short ? 1 << 16 : 1 << 30),
-                               i32_between(is_short ? 3 : -10, 31)};
+    return (struct ph_plane_base){&t->sides,
+                                  i32_between(-REACH / 256 - 1, REACH / 256 + 1),
+                                  i32_between(-REACH / 256 - 1, REACH / 256 + 1),
+                                  i32_between(0, 255),
+                                  i32_between(0, 255),
+                                  i32_between(is_short ? 1 << 15 : 1 << 29, is_short ? 1 << 16 : 1 << 30),
+                                  i32_between(is_short ? 3 : -10, 31)};
 }
 
 #define SIDE         (2 * REACH)
@@ -79,7 +79,7 @@ int64_t any_quotient(int32_t a, int32_t b)
 void proof_wide_gradient(void)
 {
     struct triangle t;
-    const struct plane_base base = any_base(&t);
+    const struct ph_plane_base base = any_base(&t);
     int halved;
     ASSUME(!t.sides.is_short); /* short sides get the base of wide ones first */
     wide_gradient(&base, i64_between(-POWER(32) + 1, POWER(32) - 1), i64_between(-POWER(32) + 1, POWER(32) - 1),
@@ -89,7 +89,7 @@ void proof_wide_gradient(void)
 void proof_short_plane(void)
 {
     struct triangle t;
-    const struct plane_base base = any_base(&t);
+    const struct ph_plane_base base = any_base(&t);
     struct ph_plane out;
     ASSUME(t.sides.is_short);
     short_plane(&out, &base, i32_between(-(1 << 15), 1 << 15), i32_between(-(1 << 15), 1 << 15), i32_between(0, 17));
@@ -98,7 +98,7 @@ void proof_short_plane(void)
 void proof_plane_through(void)
 {
     struct triangle t;
-    const struct plane_base base = any_base(&t);
+    const struct ph_plane_base base = any_base(&t);
     struct ph_plane out;
     uint32_t v[3];
     plane_through(&out, &base, v);
@@ -107,7 +107,7 @@ void proof_plane_through(void)
 void proof_plane_light(void)
 {
     struct triangle t;
-    const struct plane_base base = any_base(&t);
+    const struct ph_plane_base base = any_base(&t);
     struct ph_plane out;
     plane_light(&out, &base, t.v);
 }
@@ -115,7 +115,7 @@ void proof_plane_light(void)
 void proof_plane_exact(void)
 {
     struct triangle t;
-    const struct plane_base base = any_base(&t);
+    const struct ph_plane_base base = any_base(&t);
     struct ph_plane out;
     uint32_t v[3];
     plane_exact(&out, &base, v);
@@ -147,7 +147,7 @@ void proof_setup_depth(void)
     struct triangle t;
     struct ph_renderer r;
     struct ph_material m;
-    const struct plane_base base = any_base(&t);
+    const struct ph_plane_base base = any_base(&t);
     struct ph_depth depth;
     uint8_t block;
     r.lens = any_lens();
@@ -165,7 +165,7 @@ void proof_setup_texture(void)
     struct ph_material m = {.texture = &x};
     fx_t uv[3][2];
     const fx_t *uvs[3] = {uv[0], uv[1], uv[2]};
-    const struct plane_base base = any_base(&t);
+    const struct ph_plane_base base = any_base(&t);
     struct ph_triangle out = {.material = &m};
     setup_texture(&r, &base, t.v, uvs, &out);
 }

@@ -79,6 +79,12 @@ void proof_small_depths(void)
     small_depths(&s, t.v, d, &block);
 }
 
+static bool set_no_texels(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                          const fx_t *const uv[3])
+{
+    return t != NULL && r != NULL && v != NULL && uv != NULL;
+}
+
 void proof_setting(void)
 {
     struct ph_renderer r;
@@ -88,7 +94,9 @@ void proof_setting(void)
     struct ph_setting s;
     texture.log2_width = (uint8_t)u32_between(0, 10);
     texture.log2_height = (uint8_t)u32_between(0, 10);
-    material.shading = nondet_u32();
+    struct ph_shading shading = {.corners = (uint8_t)nondet_u32()};
+    shading.texturing.set_texels = nondet_u32() != 0 ? set_no_texels : NULL;
+    material.shading = nondet_u32() != 0 ? &shading : NULL;
     r.depth = ph_depth_traits[u32_between(0, PH_DEPTH_FORMATS - 1)];
     r.lens = any_lens();
     ph_setting_of(&s, &r, &draw);

@@ -103,7 +103,7 @@ struct fx_vec3 demo_ball_position(const struct demo_ball_way *way, uint32_t fram
 fx_t demo_swing(uint32_t frame, uint32_t loop);
 
 /* A lit material: a quarter ambient, the rest diffuse. It fills the ramp. */
-struct ph_material demo_lit(uint16_t ramp[PH_RAMP_SIZE], enum ph_shading shading, uint8_t red, uint8_t green,
+struct ph_material demo_lit(uint16_t ramp[PH_RAMP_SIZE], const struct ph_shading *shading, uint8_t red, uint8_t green,
                             uint8_t blue);
 struct ph_material demo_unlit(uint8_t red, uint8_t green, uint8_t blue);
 

@@ -14,11 +14,11 @@ const struct ph_scene_light demo_daylight = {
                 .to_light_q30 = {-536870912, 759250125, 536870912}}}, /* (-1, sqrt 2, 1) / 2 */
 };
 
-struct ph_material demo_lit(uint16_t ramp[PH_RAMP_SIZE], enum ph_shading shading, uint8_t red, uint8_t green,
+struct ph_material demo_lit(uint16_t ramp[PH_RAMP_SIZE], const struct ph_shading *shading, uint8_t red, uint8_t green,
                             uint8_t blue)
 {
     ph_material_ramp(ramp, red, green, blue, 0);
-    return (struct ph_material){.shading = (uint8_t)shading,
+    return (struct ph_material){.shading = shading,
                                 .ambient = FX_ONE / 4,
                                 .diffuse = FX_ONE * 3 / 4,
                                 .colour = ph_rgb565(red, green, blue),

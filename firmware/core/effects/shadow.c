@@ -267,7 +267,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     transform_vertices(&c);
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const struct ph_part *part = &mesh->parts[i];
-        if (mesh->materials[part->material].shading == PH_SHADE_WIRE || part->count == 0) {
+        if (ph_is_wire(&mesh->materials[part->material]) || part->count == 0) {
             continue;
         }
         r->stats.triangles_in += part->count;

@@ -228,7 +228,7 @@ static void begin(struct blend_pass *o, const struct ph_draw *draw)
     ph_setting_of(&o->setting, o->r, draw);
     const bool by_colour = o->blend->kind == PH_BLEND_KEY;
     o->has_keys = by_colour ? ph_is_textured(material) : o->blend->alphas != NULL;
-    o->same_keys = o->has_keys && by_colour && material->shading == PH_SHADE_TEXTURE &&
+    o->same_keys = o->has_keys && by_colour && ph_lit_corners_of(material) == PH_NO_CORNER &&
                    material->texture->filter == PH_FILTER_NEAREST;
     if (o->has_keys && !o->same_keys) {
         o->key_material = *material;
@@ -243,7 +243,7 @@ static void begin(struct blend_pass *o, const struct ph_draw *draw)
     o->mask = !o->has_keys ? 0 : by_mask ? ph_wire16(1 << 10) : UINT16_MAX;
     o->hole = !o->has_keys ? 1 : by_mask ? 0 : o->blend->key;
     ph_fog_start(&o->fog, o->r, o->blend->kind == PH_BLEND_ADD ? 0 : o->r->fog_of.colour);
-    o->setting.is_small = o->setting.is_small && (o->has_keys || o->setting.shading == PH_SHADE_GOURAUD);
+    o->setting.is_small = o->setting.is_small && (o->has_keys || o->setting.source == PH_FROM_LIGHT);
 }
 
 /* Whether a draw is cut out or multiplied, or blended. */

@@ -1,6 +1,8 @@
 /* See check.h, render.h. */
 #include "check.h"
 
+#include "shading.h"
+
 static bool has_stray_index(const uint16_t *index, uint64_t n, uint32_t vertex_count)
 {
     for (uint64_t i = 0; i < n; i++) {
@@ -18,7 +20,7 @@ static bool has_stray_part(const struct ph_mesh *mesh)
         if (mesh->material_count != 0 && part->material >= mesh->material_count) {
             return true;
         }
-        if (mesh->materials[part->material].shading != PH_SHADE_WIRE &&
+        if (!ph_is_wire(&mesh->materials[part->material]) &&
             (part->first > mesh->triangle_count || part->count > mesh->triangle_count - part->first)) {
             return true;
         }

@@ -127,7 +127,7 @@ PH_TIER(seldom) int ph_list_leave_out(struct ph_renderer *r, const struct ph_mes
     }
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const struct ph_part *const part = &mesh->parts[i];
-        if (mesh->materials[part->material].shading != PH_SHADE_WIRE) {
+        if (!ph_is_wire(&mesh->materials[part->material])) {
             r->stats.triangles_in += part->count;
             r->stats.triangles_dropped += part->count;
         } else if (lines) {
@@ -224,7 +224,7 @@ PH_TIER(few) static uint32_t place_lens(struct ph_renderer *r)
     return r->list.lens;
 }
 
-#define MATERIAL_BYTES 48u /* in the list, on every machine, so that the same fits */
+#define MATERIAL_BYTES 56u /* in the list, on every machine, so that the same fits */
 _Static_assert(sizeof(struct ph_material) <= MATERIAL_BYTES, "a material fits its room in the list");
 
 static PH_NOINLINE bool is_equal(const struct ph_material *a, const struct ph_material *b)

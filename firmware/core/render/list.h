@@ -13,6 +13,7 @@
 #ifndef PH_LIST_H
 #define PH_LIST_H
 
+#include "shading.h"
 #include "sides.h"
 #include "triangle.h"
 
@@ -216,14 +217,6 @@ void *ph_list_lend(struct ph_renderer *r, const struct ph_draw *draw, size_t byt
  * first; counts[k]: the number of references when k were listed. False: one of both had too little room. Then nothing
  * is listed, and the triangles must be listed again. */
 bool ph_list_take_back(struct ph_renderer *r, const struct ph_lent *lent, const uint32_t counts[], uint32_t n);
-
-/* Whether pixels are taken from a texture. */
-static inline bool ph_is_textured(const struct ph_material *material)
-{
-    return (material->shading == PH_SHADE_TEXTURE || material->shading == PH_SHADE_TEXTURE_LIT ||
-            material->shading == PH_SHADE_TEXTURE_GOURAUD) &&
-           material->texture != NULL;
-}
 
 /* Whether a material needs u and v of the corners. */
 static inline bool ph_has_uvs(const struct ph_material *material)

@@ -166,9 +166,8 @@ static bool is_lit_alike(const struct ph_material *a, const struct ph_material *
 /* Whether the vertices of a part have colours in place of light. */
 static bool is_coloured(const struct ph_part_context *c)
 {
-    const unsigned shading = c->material->shading;
-    const bool lit = shading == PH_SHADE_FLAT || shading == PH_SHADE_GOURAUD;
-    return c->mesh->colours != NULL ? lit || shading == PH_SHADE_UNLIT
+    const bool lit = ph_lit_corners_of(c->material) != PH_NO_CORNER && !ph_takes_texture(c->material);
+    return c->mesh->colours != NULL ? lit || c->material->shading == PH_SHADE_UNLIT
                                     : lit && c->mesh->normals != NULL && ph_light_has_colour(&c->r->light);
 }
 
@@ -214,8 +213,8 @@ static PH_NOINLINE bool light_part(struct ph_part_context *c, const struct ph_pa
 {
     const struct ph_material *const material = c->material, *const before = c->lit_as;
     c->coloured = is_coloured(c);
-    c->lit = c->coloured ||
-             (c->mesh->normals != NULL && material->shading != PH_SHADE_UNLIT && material->shading != PH_SHADE_TEXTURE);
+    c->lighting = material->shading != NULL ? material->shading->lighting : NULL;
+    c->lit = c->coloured || (c->mesh->normals != NULL && c->lighting != NULL);
     if (!c->lit) {
         return true;
     }
@@ -223,8 +222,8 @@ static PH_NOINLINE bool light_part(struct ph_part_context *c, const struct ph_pa
                        (c->coloured ? c->lit_coloured && is_coloured_alike(c, before) : !c->lit_coloured);
     c->lit_as = material;
     c->lit_coloured = c->coloured;
-    if (!alike) {
-        ph_light_prepare(&c->lights, c->r, to_world, material, c->coloured);
+    if (!alike && c->lighting != NULL) {
+        c->lighting->light_prepare(&c->lights, c->r, to_world, material, c->coloured);
     }
     if (before == NULL || (alike && !c->mixed)) {
         return true;
@@ -238,7 +237,7 @@ static void draw_part(struct ph_part_context *c, const struct ph_part *part, con
 {
     struct ph_renderer *r = c->r;
     c->material = &c->mesh->materials[part->material];
-    const bool wire = c->material->shading == PH_SHADE_WIRE;
+    const bool wire = ph_is_wire(c->material);
     const uint32_t count = wire ? c->mesh->edge_count : part->count;
     if (count == 0) { /* there may be no array */
         return;

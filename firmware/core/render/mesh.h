@@ -21,6 +21,7 @@ struct ph_part_context {
     struct ph_draw draw;
     struct ph_local_lights lights;
     uint32_t codes;                      /* clip codes of all vertices, combined by OR */
+    const struct ph_lighting *lighting;  /* NULL: vertices have no light */
     const struct ph_curved_lens *curved; /* NULL: straight lines stay straight */
     bool lit, two_sided;
     bool coloured, lit_coloured; /* the part has lit colours; lit_as has them */
@@ -34,7 +35,7 @@ uint16_t ph_vertex_colour(const struct ph_part_context *c, uint32_t i);
 static inline uint16_t ph_vertex_light(const struct ph_part_context *c, uint32_t i)
 {
     return c->coloured ? ph_vertex_colour(c, i)
-                       : ph_light_vertex(&c->lights, c->mesh->normals[i], &c->mesh->positions[i]);
+                       : c->lighting->light_vertex(&c->lights, c->mesh->normals[i], &c->mesh->positions[i]);
 }
 
 /* A vertex as clipping needs it. */

@@ -10,10 +10,9 @@
 PH_NOINLINE uint16_t ph_vertex_colour(const struct ph_part_context *c, uint32_t i)
 {
     const struct ph_mesh *const mesh = c->mesh;
-    const int16_t *const normal =
-        mesh->normals != NULL && c->material->shading != PH_SHADE_UNLIT ? mesh->normals[i] : NULL;
-    return ph_light_colour(&c->lights, normal, &mesh->positions[i],
-                           ph_wire16(mesh->colours != NULL ? mesh->colours[i] : c->material->colour));
+    const int16_t *const normal = mesh->normals != NULL && c->lighting != NULL ? mesh->normals[i] : NULL;
+    const uint16_t base = ph_wire16(mesh->colours != NULL ? mesh->colours[i] : c->material->colour);
+    return normal != NULL ? c->lighting->light_colour(&c->lights, normal, &mesh->positions[i], base) : base;
 }
 
 /* Lights the corners of a triangle, unless they are lit already. ph_cull may have marked them only. */
@@ -63,8 +62,9 @@ PH_TIER(few) static PH_NOINLINE void draw_clipped(const struct ph_part_context *
         in[i] = ph_mesh_vertex(c, index[i]);
     }
     if (c->coloured) {
-        take_colours(in, c->material->shading == PH_SHADE_FLAT);
-    } else if (c->material->shading != PH_SHADE_GOURAUD) { /* one light for the whole triangle */
+        take_colours(in, ph_lit_corners_of(c->material) == PH_FIRST_CORNER);
+    } else if (ph_lit_corners_of(c->material) != PH_EACH_CORNER ||
+               ph_takes_texture(c->material)) { /* one light for the whole triangle */
         in[1].light = in[2].light = in[0].light;
     }
     ph_draw_clipped(c->r, c->material, c->draw.kind, in);

@@ -23,7 +23,7 @@ enum {
 };
 
 /* What all planes of a triangle share: the place of its first corner, and the reciprocal of its area. */
-struct plane_base {
+struct ph_plane_base {
     const struct ph_sides *sides;
     int32_t x, y;           /* from the first corner to the centre of pixel (0, 0): whole pixels */
     int32_t part_x, part_y; /* and the rest, 1/256 px */
@@ -40,7 +40,7 @@ PH_TIER(scenery) static int bits_of(int64_t v)
 }
 
 /* The reciprocal for products of 64 bits. */
-PH_TIER(scenery) static void wide_base(struct plane_base *s)
+PH_TIER(scenery) static void wide_base(struct ph_plane_base *s)
 {
     const int64_t area = ph_wide_area(s->sides);
     const int excess = ph_max(bits_of(area) - 32, 0);
@@ -50,7 +50,7 @@ PH_TIER(scenery) static void wide_base(struct plane_base *s)
 
 /* The base of the planes; `first` is the first corner. */
 PH_TIER(scenery)
-static inline void plane_base(struct plane_base *s, const struct ph_vertex *first, const struct ph_sides *sides)
+static inline void plane_base(struct ph_plane_base *s, const struct ph_vertex *first, const struct ph_sides *sides)
 {
     const int32_t x = 128 - first->x, y = 128 - first->y;
     s->sides = sides;
@@ -69,7 +69,8 @@ static inline void plane_base(struct plane_base *s, const struct ph_vertex *firs
 }
 
 /* The plane with gradients gx, gy through `value` at the first corner, but for the last 8 bits of the fraction. */
-PH_TIER(scenery) static struct ph_plane hang_plane(const struct plane_base *s, uint32_t value, int32_t gx, int32_t gy)
+PH_TIER(scenery)
+static struct ph_plane hang_plane(const struct ph_plane_base *s, uint32_t value, int32_t gx, int32_t gy)
 {
     const uint32_t whole = (uint32_t)s->x * (uint32_t)gx + (uint32_t)s->y * (uint32_t)gy;
     const uint32_t part = (uint32_t)(gx >> 8) * (uint32_t)s->part_x + (uint32_t)(gy >> 8) * (uint32_t)s->part_y;
@@ -91,9 +92,9 @@ PH_TIER(scenery) static inline int64_t times_wide(int64_t d, int32_t n)
  * Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first: x = (d2 dy1 - d1
  * dy2) / area, y = (d1 dx2 - d2 dx1) / area. plane_through describes *halved.
  */
-static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t d1, int64_t d2, int *halved)
+static struct pixel_gradient wide_gradient(const struct ph_plane_base *any, int64_t d1, int64_t d2, int *halved)
 {
-    struct plane_base base = *any, *const s = &base;
+    struct ph_plane_base base = *any, *const s = &base;
     if (any->sides->is_short) {
         wide_base(&base);
     }
@@ -112,7 +113,7 @@ static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t
 
 /* The plane with that gradient through `value` at the first corner. */
 PH_TIER(scenery)
-static PH_NOINLINE int wide_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int64_t d1,
+static PH_NOINLINE int wide_plane(struct ph_plane *out, const struct ph_plane_base *s, uint32_t value, int64_t d1,
                                   int64_t d2)
 {
     int halved;
@@ -132,7 +133,7 @@ static inline int32_t times_q16(int32_t n, int32_t r)
  * the value at the first corner.
  */
 PH_TIER(scenery)
-static FX_APART int short_plane(struct ph_plane *out, const struct plane_base *s, int32_t d1, int32_t d2, int drop)
+static FX_APART int short_plane(struct ph_plane *out, const struct ph_plane_base *s, int32_t d1, int32_t d2, int drop)
 {
     const struct ph_sides *const t = s->sides;
     int32_t gx = times_q16(d2 * t->dy1 - d1 * t->dy2, s->reciprocal);
@@ -146,7 +147,8 @@ static FX_APART int short_plane(struct ph_plane *out, const struct plane_base *s
 }
 
 /* short_plane for differences below 2^30, of which the upper 16 bits are taken. */
-static inline int scaled_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int32_t d1, int32_t d2)
+static inline int scaled_plane(struct ph_plane *out, const struct ph_plane_base *s, uint32_t value, int32_t d1,
+                               int32_t d2)
 {
     const int spare = fx_clz32(ph_without_sign(d1) | ph_without_sign(d2));
     const int drop = spare < 17 ? 17 - spare : 0;
@@ -160,7 +162,7 @@ static inline int scaled_plane(struct ph_plane *out, const struct plane_base *s,
  * does not wrap: the triangle becomes flatter. Returns how often.
  */
 PH_TIER(scenery)
-static PH_NOINLINE int plane_through(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
+static PH_NOINLINE int plane_through(struct ph_plane *out, const struct ph_plane_base *s, const uint32_t v[3])
 {
     /* If the halves differ by less than 2^29, the differences are below 2^30. */
     const int32_t half1 = (int32_t)((v[1] >> 1) - (v[0] >> 1)), half2 = (int32_t)((v[2] >> 1) - (v[0] >> 1));
@@ -171,7 +173,7 @@ static PH_NOINLINE int plane_through(struct ph_plane *out, const struct plane_ba
 }
 
 /* The plane through the light of the corners, in 2^-16. */
-PH_TIER(scenery) static void plane_light(struct ph_plane *out, const struct plane_base *s, const int32_t light[3])
+PH_TIER(scenery) static void plane_light(struct ph_plane *out, const struct ph_plane_base *s, const int32_t light[3])
 {
     const int32_t d1 = light[1] - light[0], d2 = light[2] - light[0];
     const int drop = ((uint32_t)((d1 >> 15) + 1) | (uint32_t)((d2 >> 15) + 1)) > 1;
@@ -184,7 +186,7 @@ PH_TIER(scenery) static void plane_light(struct ph_plane *out, const struct plan
 }
 
 /* plane_through to its last bit, for formats that keep 24 bits of the values. */
-PH_TIER(scenery) static int plane_exact(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
+PH_TIER(scenery) static int plane_exact(struct ph_plane *out, const struct ph_plane_base *s, const uint32_t v[3])
 {
     int halved;
     const struct pixel_gradient g = wide_gradient(s, (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], &halved);
@@ -235,7 +237,7 @@ PH_TIER(scenery) static bool is_steep(const struct ph_sides *s, const struct ph_
  * The plane of depth d: to its last bit for codes of 24 bits, and across octaves, where the far ones are
  * the finest. Returns how often its gradient was halved.
  */
-static inline int depth_plane(const struct plane_base *s, bool exact, const uint32_t d[3], struct ph_plane *out)
+static inline int depth_plane(const struct ph_plane_base *s, bool exact, const uint32_t d[3], struct ph_plane *out)
 {
     return exact ? plane_exact(out, s, d) : plane_through(out, s, d);
 }
@@ -354,7 +356,7 @@ PH_TIER(scenery) static void round_depth(struct ph_plane *plane, int bits)
 
 /* Sets depth in a float format. False if 32 bits are not enough. */
 PH_TIER(scenery)
-static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane_base *s,
+static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct ph_plane_base *s,
                                     const struct ph_vertex *const v[3], uint32_t bias, struct ph_plane *depth,
                                     uint8_t *block)
 {
@@ -372,7 +374,7 @@ static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct pl
 }
 
 /* Sets depth for linear-w: the plane of N/w, and how it becomes a code. False if 32 bits are not enough. */
-static PH_NOINLINE bool setup_linear(const struct ph_renderer *r, const struct plane_base *s,
+static PH_NOINLINE bool setup_linear(const struct ph_renderer *r, const struct ph_plane_base *s,
                                      const struct ph_vertex *const v[3], uint32_t bias, struct ph_depth *depth)
 {
     struct ph_linear *const linear = &depth->over_w.linear;
@@ -391,7 +393,7 @@ static PH_NOINLINE bool setup_linear(const struct ph_renderer *r, const struct p
 
 /* Sets depth and block of a triangle. False if 32 bits are not enough. */
 PH_TIER(scenery)
-static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct plane_base *s,
+static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct ph_plane_base *s,
                                     const struct ph_material *material, const struct ph_vertex *const v[3],
                                     struct ph_depth *depth, uint8_t *block)
 {
@@ -430,7 +432,7 @@ static int texture_range(const struct ph_texture *texture, const fx_t *const uv[
 /* Sets the planes of u/w, v/w and 1/w; t->block is set already. uv: the texture coordinates of each corner; NULL counts
  * as 0. */
 PH_TIER(scenery)
-static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct plane_base *s,
+static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct ph_plane_base *s,
                                       const struct ph_vertex *const v[3], const fx_t *const corner_uv[3],
                                       struct ph_triangle *t)
 {
@@ -467,7 +469,7 @@ static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct 
 }
 
 /* The plane of the light of texels. */
-static PH_NOINLINE void setup_shades(const struct plane_base *s, const struct ph_vertex *const v[3],
+static PH_NOINLINE void setup_shades(const struct ph_plane_base *s, const struct ph_vertex *const v[3],
                                      struct ph_triangle *t)
 {
     int32_t light[3];
@@ -475,6 +477,18 @@ static PH_NOINLINE void setup_shades(const struct plane_base *s, const struct ph
         light[i] = ph_texel_light_of(t->material, v[i]) + PH_TEXEL_LIGHT_UP;
     }
     plane_light(&t->as.large.of.map.shades, s, light);
+}
+
+PH_TIER(scenery)
+void ph_set_texel_planes(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                         const fx_t *const uv[3], struct ph_triangle *t)
+{
+    t->kind = PH_KIND_TEXTURE;
+    t->as.large.of.map.light = ph_texture_light(t->material, v[0]);
+    setup_texture(r, s, v, uv, t);
+    if (t->as.large.of.map.light.shaded) {
+        setup_shades(s, v, t);
+    }
 }
 
 /* The colour that a material's ramp has for a light. */
@@ -485,7 +499,7 @@ PH_TIER(scenery) static uint16_t ramp_colour(const struct ph_material *material,
 
 /* plane_base as a function of its own, for triangles that are rare. */
 PH_TIER(scenery)
-static PH_NOINLINE void general_base(struct plane_base *base, const struct ph_vertex *first,
+static PH_NOINLINE void general_base(struct ph_plane_base *base, const struct ph_vertex *first,
                                      const struct ph_sides *sides)
 {
     plane_base(base, first, sides);
@@ -494,7 +508,7 @@ static PH_NOINLINE void general_base(struct plane_base *base, const struct ph_ve
 void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides, bool flat)
 {
     static const uint8_t from[3] = {11, 5, 0}, bits[3] = {5, 6, 5};
-    struct plane_base base;
+    struct ph_plane_base base;
     t->kind = flat || t->block == PH_BLOCK_LINEAR ? PH_KIND_FLAT : PH_KIND_COLOURS;
     if (t->kind == PH_KIND_FLAT) {
         t->as.large.of.colour = ph_wire16(v[0]->light);
@@ -512,38 +526,25 @@ void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], c
 
 /* Sets what gives the pixels their colour: a plane of light, a texture, or one colour. */
 PH_TIER(scenery)
-static void setup_shading(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
-                          const fx_t *const uv[3], struct ph_triangle *t)
+static void setup_shading(const struct ph_renderer *r, const struct ph_plane_base *s,
+                          const struct ph_vertex *const v[3], const fx_t *const uv[3], struct ph_triangle *t)
 {
-    const struct ph_material *material = t->material;
+    const struct ph_material *const material = t->material;
+    const unsigned corners = ph_lit_corners_of(material);
+    if (ph_is_textured(material)) {
+        material->shading->texturing.set_texel_planes(r, s, v, uv, t);
+        return;
+    }
     t->kind = PH_KIND_FLAT;
-    switch (material->shading) {
-    case PH_SHADE_FLAT:
+    if (corners == PH_EACH_CORNER && !ph_takes_texture(material) && material->ramp != NULL) {
+        t->kind = PH_KIND_GOURAUD;
+        const int32_t light[3] = {v[0]->light, v[1]->light, v[2]->light};
+        plane_light(&t->as.large.of.light, s, light);
+        return;
+    }
+    if (corners == PH_FIRST_CORNER && !ph_takes_texture(material)) {
         t->as.large.of.colour = ramp_colour(material, v[0]->light);
         return;
-    case PH_SHADE_GOURAUD:
-        if (material->ramp != NULL) {
-            t->kind = PH_KIND_GOURAUD;
-            const int32_t light[3] = {v[0]->light, v[1]->light, v[2]->light};
-            plane_light(&t->as.large.of.light, s, light);
-            return;
-        }
-        break;
-    case PH_SHADE_TEXTURE:
-    case PH_SHADE_TEXTURE_LIT:
-    case PH_SHADE_TEXTURE_GOURAUD:
-        if (material->texture != NULL) {
-            t->kind = PH_KIND_TEXTURE;
-            t->as.large.of.map.light = ph_texture_light(material, v[0]);
-            setup_texture(r, s, v, uv, t);
-            if (t->as.large.of.map.light.shaded) {
-                setup_shades(s, v, t);
-            }
-            return;
-        }
-        break;
-    default:
-        break;
     }
     t->as.large.of.colour = material->colour;
 }
@@ -552,7 +553,7 @@ PH_TIER(scenery)
 bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                    const fx_t *const uv[3], const struct ph_sides *sides)
 {
-    struct plane_base base;
+    struct ph_plane_base base;
     plane_base(&base, v[0], sides);
     const bool fits = setup_depth(r, &base, t->material, v, &t->as.large.depth, &t->block);
     setup_shading(r, &base, v, uv, t);
@@ -563,7 +564,7 @@ PH_TIER(scenery)
 bool ph_set_depth(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                   const struct ph_sides *sides, struct ph_depth *depth, uint8_t *block)
 {
-    struct plane_base base;
+    struct ph_plane_base base;
     general_base(&base, v[0], sides);
     return setup_depth(r, &base, material, v, depth, block);
 }
@@ -572,7 +573,7 @@ PH_TIER(scenery)
 bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
                     const uint32_t d[3])
 {
-    struct plane_base base;
+    struct ph_plane_base base;
     general_base(&base, first, sides);
     return depth_plane(&base, false, d, out) <= 0 && !is_steep(sides, out, STEEP);
 }

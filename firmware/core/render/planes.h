@@ -2,6 +2,7 @@
 #ifndef PH_PLANES_H
 #define PH_PLANES_H
 
+#include "shading.h"
 #include "sides.h"
 #include "triangle.h"
 
@@ -20,10 +21,10 @@ static inline uint32_t ph_depth_bias(const struct ph_material *material)
 /* What the texels of a triangle are drawn with; `first` is its first corner. */
 static inline struct ph_texel_light ph_texture_light(const struct ph_material *material, const struct ph_vertex *first)
 {
-    const unsigned shading = material->shading;
+    const unsigned corners = material->shading->corners;
     const unsigned light =
-        shading == PH_SHADE_TEXTURE_LIT ? ((uint32_t)(first->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1) : 32;
-    return (struct ph_texel_light){(uint8_t)light, shading == PH_SHADE_TEXTURE_GOURAUD,
+        corners == PH_FIRST_CORNER ? ((uint32_t)(first->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1) : 32;
+    return (struct ph_texel_light){(uint8_t)light, corners == PH_EACH_CORNER,
                                    material->texture->filter != PH_FILTER_NEAREST};
 }
 
@@ -69,6 +70,10 @@ bool ph_set_depth(const struct ph_renderer *r, const struct ph_material *materia
  * uv: those of each corner; NULL if the material has no texture. False if 32 bits are not enough for depth. */
 bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                    const fx_t *const uv[3], const struct ph_sides *sides);
+
+/* Sets kind, light and planes of a triangle with a texture. uv: as above. Only shadings with a texture name it. */
+void ph_set_texel_planes(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                         const fx_t *const uv[3], struct ph_triangle *t);
 
 /* After ph_set_planes: a triangle of PH_DRAW_COLOURS gets its colours. flat: that of its first corner. */
 void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides, bool flat);

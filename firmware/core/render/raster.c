@@ -13,6 +13,7 @@
 #include "raster_exact.h"
 #include "raster_large.h"
 #include "raster_rows.h"
+#include "shading.h"
 
 /* Steps n rows down, which are fewer than the upper ones. */
 static inline void skip_upper_rows(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
@@ -157,7 +158,7 @@ PH_TIER(few) static PH_NOINLINE uint32_t draw_split_texture(const struct ph_tria
     struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = cut_rows(t, band, &r);
     struct ph_small_texels texels;
-    ph_small_texels_begin(&texels, t, t->y_top > band->y0 ? t->y_top : band->y0, 2 * at.stride);
+    t->material->shading->texturing.begin_texels(&texels, t, t->y_top > band->y0 ? t->y_top : band->y0, 2 * at.stride);
     return ph_draw_rows_split(t, &r, at, &texels);
 }
 
@@ -191,10 +192,11 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
         return draw_small(t, band);
     }
     if (t->kind == PH_KIND_SMALL_TEXTURE) {
-        return t->block == PH_BLOCK_NONE ? ph_draw_small_texels(t, band) : draw_split_texture(t, band);
+        return t->block == PH_BLOCK_NONE ? t->material->shading->texturing.draw_texels(t, band)
+                                         : draw_split_texture(t, band);
     }
     if (PH_TEXTURE_KNEE && t->kind == PH_KIND_SMALL_TEXTURE_KNEE) {
-        return ph_draw_small_texels(t, band);
+        return t->material->shading->texturing.draw_texels(t, band);
     }
     if (t->kind == PH_KIND_SMALL_KNEE) {
         return draw_cut(t, band);

@@ -5,13 +5,13 @@
 #include "colours.h"
 #include "raster_rows.h"
 #include "raster_walk.h"
-#include "texture.h"
+#include "shading.h"
 #include "tier.h"
 
 PH_TIER(loop) uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band)
 {
     const bool gouraud16 = t->kind == PH_KIND_GOURAUD && t->block != PH_BLOCK_LINEAR && !band->depth24;
-    return t->kind == PH_KIND_TEXTURE   ? ph_draw_textured(t, band)
+    return t->kind == PH_KIND_TEXTURE   ? t->material->shading->texturing.draw_textured(t, band)
            : t->kind == PH_KIND_COLOURS ? ph_draw_colours(t, band)
            : gouraud16                  ? ph_draw_long(t, band)
                                         : ph_walk(t, band);

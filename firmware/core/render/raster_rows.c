@@ -7,6 +7,7 @@
 
 #include "edge.h"
 #include "kernels.h"
+#include "shading.h"
 #include "span.h"
 
 /* Steps n rows down. At most all of the upper rows are passed; then the lower edge takes over. */
@@ -71,17 +72,18 @@ static uint32_t empty_rows(const struct ph_small_triangle *r, uint32_t width)
 }
 
 /* Draws the upper rows of r, textured if there are texels. */
-static uint32_t draw_upper_rows(const struct ph_small_triangle *r, const struct ph_place *at,
-                                struct ph_small_texels *texels)
+static uint32_t draw_upper_rows(const struct ph_triangle *t, const struct ph_small_triangle *r,
+                                const struct ph_place *at, struct ph_small_texels *texels)
 {
-    return texels != NULL  ? ph_small_texels_draw(texels, r, at->depth, at->pixels)
+    return texels != NULL  ? t->material->shading->texturing.draw_texel_rows(texels, r, at->depth, at->pixels)
            : at->long_rows ? ph_long_gouraud(r, at->depth, at->pixels, 2 * at->stride)
                            : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
 }
 
 /* Draws rows of one octave. The steps of d are multiples of 8, so the shift to codes loses no bit of them. */
-static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph_octave *octave, uint32_t rows,
-                                    const struct ph_place *at, struct ph_small_texels *texels)
+static uint32_t draw_rows_in_octave(const struct ph_triangle *t, struct ph_small_triangle *r,
+                                    const struct ph_octave *octave, uint32_t rows, const struct ph_place *at,
+                                    struct ph_small_texels *texels)
 {
     const uint32_t from = ph_from_column(r->left), d = r->d, gd = r->gd, d_dy = r->d_dy;
     const uint32_t above =
@@ -93,7 +95,7 @@ static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph
            ph_depth_float16_slope(above, octave->up) - from * r->gd;
     r->upper_rows = (uint16_t)rows;
     r->lower_rows = 0;
-    const uint32_t count = draw_upper_rows(r, at, texels);
+    const uint32_t count = draw_upper_rows(t, r, at, texels);
     r->d = d;
     r->gd = gd;
     r->d_dy = d_dy;
@@ -137,7 +139,7 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_sma
         const uint32_t code = ph_depth_float16_code(octave, d);
         if (texels != NULL) {
             const struct ph_row_piece piece = {x, n, code, octave->slope, x + n == to};
-            ph_small_texels_piece(texels, &piece, at->depth, at->pixels);
+            t->material->shading->texturing.draw_texel_piece(texels, &piece, at->depth, at->pixels);
         } else {
             ph_span_gouraud(&at->pixels[x], &at->depth[x], n, code, octave->slope, r->light + x * r->glight, r->glight,
                             r->ramp);
@@ -164,7 +166,7 @@ uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangl
             n = 1;
             count += draw_row_across(t, r, &octave, &next, &at, texels);
         } else if (!is_empty || texels != NULL) { /* texels are stepped over empty rows, too */
-            count += draw_rows_in_octave(r, &octave, n, &at, texels);
+            count += draw_rows_in_octave(t, r, &octave, n, &at, texels);
         }
         step_rows(r, n);
         at.depth += n * at.stride;

@@ -5,6 +5,10 @@
 #include "kernels.h"
 #include "list.h"
 
+/* What gives pixels their colour: the material's own, the ramp with the light of the first corner, the ramp with a
+ * plane of light, or a texture. */
+enum ph_source { PH_FROM_COLOUR, PH_FROM_FIRST_LIGHT, PH_FROM_LIGHT, PH_FROM_TEXELS };
+
 /* What all triangles and lines of a draw share; ph_setting_of in setup.h fills it in. */
 struct ph_setting {
     bool is_small;        /* small triangles are drawn as such */
@@ -14,10 +18,12 @@ struct ph_setting {
                              of samples, of which twice as many are not small */
     bool floats;          /* float16, else fixed16 */
     bool keeps_light;     /* a small triangle keeps the light that ph_setup_small has set: else see ph_set_fast_light */
-    uint8_t shading;      /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
+    uint8_t source;       /* enum ph_source */
     bool has_samples;     /* pixels are samples */
     struct ph_fast fast;  /* base: with PH_DRAW_UVS a struct ph_corner; ramp: the material's, or its colour as the only
                                entry; bias: what is added to the codes of the format, in fixed16 to N/w (depth.h) */
+    bool (*set_texels)(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                       const fx_t *const uv[3]); /* of the shading, see shading.h; PH_FROM_TEXELS only */
     const struct ph_renderer *r;
     struct ph_draw draw;
 };

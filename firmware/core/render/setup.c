@@ -230,7 +230,7 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     const bool colours = (s->draw.kind & PH_DRAW_COLOURS) != 0;
     bool fits = setup_any(r, s->draw.material, v, uv, sides, t);
     if (colours) {
-        ph_set_colours(t, v, sides, s->draw.material->shading == PH_SHADE_FLAT);
+        ph_set_colours(t, v, sides, ph_lit_corners_of(s->draw.material) == PH_FIRST_CORNER);
     }
     if (s->draw.material->depth_bias_slope != 0) {
         fits = false;
@@ -258,8 +258,8 @@ static PH_NOINLINE void widen_fast(struct ph_fast *fast)
 PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw)
 {
     const struct ph_material *const material = draw->material;
-    const unsigned shading = material->shading;
-    const bool lit = (shading == PH_SHADE_GOURAUD || shading == PH_SHADE_FLAT) && material->ramp != NULL;
+    const unsigned corners = ph_lit_corners_of(material);
+    const bool lit = corners != PH_NO_CORNER && !ph_takes_texture(material) && material->ramp != NULL;
     const bool textured = ph_is_textured(material);
     s->r = r;
     s->draw = *draw;
@@ -268,10 +268,14 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
                   material->depth_bias_slope == 0 && r->depth.is_small &&
                   (!textured || ph_texels_fit(material->texture));
     s->fast.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
-    s->shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
+    s->source = textured                     ? PH_FROM_TEXELS
+                : !lit                       ? PH_FROM_COLOUR
+                : corners == PH_FIRST_CORNER ? PH_FROM_FIRST_LIGHT
+                                             : PH_FROM_LIGHT;
+    s->set_texels = textured ? material->shading->texturing.set_texels : NULL;
     s->has_samples = r->samples_log2 != 0;
-    s->takes_narrow = s->shading == PH_SHADE_TEXTURE || s->has_samples;
-    s->keeps_light = s->shading == PH_SHADE_GOURAUD && !s->has_samples;
+    s->takes_narrow = s->source == PH_FROM_TEXELS || s->has_samples;
+    s->keeps_light = s->source == PH_FROM_LIGHT && !s->has_samples;
     s->floats = r->depth.coding == PH_DEPTH_IS_FLOAT;
     s->fast.lens = s->floats ? &r->lens : NULL;
     s->fast.side = PH_SIDE_SMALL;
@@ -330,8 +334,8 @@ static bool has_long_rows(const struct ph_small_triangle *small)
 /* Sets the light of a small triangle whose corners share one light. */
 static inline void set_light(const struct ph_setting *s, const struct ph_vertex *first, struct ph_triangle *t)
 {
-    if (s->shading != PH_SHADE_GOURAUD) {
-        t->as.small.rows.light = s->shading == PH_SHADE_FLAT ? (uint32_t)first->light << 16 : 0;
+    if (s->source != PH_FROM_LIGHT) {
+        t->as.small.rows.light = s->source == PH_FROM_FIRST_LIGHT ? (uint32_t)first->light << 16 : 0;
         t->as.small.rows.glight = t->as.small.rows.light_dy = 0;
     }
 }
@@ -378,7 +382,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     const bool small =
         as_small || (r->samples_log2 != 0 && excess != LARGE); /* in all shadings its depth is set up as there */
     uint32_t d[3];
-    if (!s->is_small || excess == LARGE || (excess == LONG_ROWS && s->shading == PH_SHADE_TEXTURE)) {
+    if (!s->is_small || excess == LARGE || (excess == LONG_ROWS && s->source == PH_FROM_TEXELS)) {
         setup_other(s, v, uv, sides, small, t);
         return;
     }
@@ -399,8 +403,8 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         setup_other(s, v, uv, sides, false, t);
         return;
     }
-    if (s->shading == PH_SHADE_TEXTURE) {
-        if (!ph_setup_texels(t, r, v, uv)) {
+    if (s->source == PH_FROM_TEXELS) {
+        if (!s->set_texels(t, r, v, uv)) {
             setup_other(s, v, uv, sides, small, t);
         } else if (PH_TEXTURE_KNEE && t->block != PH_BLOCK_NONE && t->as.small.of.map.fast) {
             set_texture_knee(t, d);
@@ -460,7 +464,7 @@ static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct 
     }
     done = s->has_fast_texels ? ph_setup_fast(&s->fast, ref, t) : done;
     const bool is_fast = s->has_fast_texels && done == PH_SMALL_SET;
-    if (is_fast && ph_setup_texels(t, s->r, v, uv)) {
+    if (is_fast && s->set_texels(t, s->r, v, uv)) {
         return;
     }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);

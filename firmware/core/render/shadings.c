@@ -1,0 +1,26 @@
+/* The shadings that a material may name. See shading.h, render.h. */
+#include "shading.h"
+
+#include "planes.h"
+#include "small_texels.h"
+#include "texels.h"
+#include "texture.h"
+
+static const struct ph_lighting lighting = {
+    .light_prepare = ph_light_prepare, .light_vertex = ph_light_vertex, .light_colour = ph_light_colour};
+
+#define TEXTURING                                                                                                      \
+    {                                                                                                                  \
+        .set_texels = ph_setup_texels, .draw_texels = ph_draw_small_texels, .begin_texels = ph_small_texels_begin,     \
+        .draw_texel_rows = ph_small_texels_draw, .draw_texel_piece = ph_small_texels_piece,                            \
+        .set_texel_planes = ph_set_texel_planes, .draw_textured = ph_draw_textured                                     \
+    }
+
+const struct ph_shading ph_shade_flat = {.corners = PH_FIRST_CORNER, .lighting = &lighting};
+const struct ph_shading ph_shade_gouraud = {.corners = PH_EACH_CORNER, .lighting = &lighting};
+const struct ph_shading ph_shade_wire = {.wire = true};
+const struct ph_shading ph_shade_texture = {.texturing = TEXTURING};
+const struct ph_shading ph_shade_texture_lit = {
+    .corners = PH_FIRST_CORNER, .lighting = &lighting, .texturing = TEXTURING};
+const struct ph_shading ph_shade_texture_gouraud = {
+    .corners = PH_EACH_CORNER, .lighting = &lighting, .texturing = TEXTURING};
