@@ -241,7 +241,7 @@ static uint32_t try_setup_fast(uint32_t h)
         corner[i].q = ((uint32_t)5 << 28) + (bits() >> (2 + depths));
         corner[i].s = (int8_t)(fixed ? (int)below(6) - 1 : below(16) > 0 ? 3 : 2 + (int)below(3));
     }
-    const struct ph_material material = {.shading = PH_SHADE_GOURAUD};
+    const struct ph_material material = {0};
     const uint32_t side = below(3) > 0 ? PH_SIDE_SMALL : PH_SIDE_SHORT;
     const struct ph_fast fast = {.base = corner,
                                  .margin = side + 256,
