@@ -26,7 +26,7 @@ copy() { # name, of a copy of the tree
 }
 
 # `enter_draw`, static, lies in RAM by its tier; the DMA's interrupt calls `go_on`; `ph_line_pixels` draws pixels.
-renaming='s/\btake_slot\b/begin_draw/g; s/\bgo_on\b/carry_on/g; s/\bph_line_pixels\b/ph_dots_of_line/g'
+renaming='s/\benter_draw\b/begin_draw/g; s/\bgo_on\b/carry_on/g; s/\bph_line_pixels\b/ph_dots_of_line/g'
 
 rename_three() {
     copy renamed && find "$dir/renamed/firmware" "$dir/renamed/hal" -name '*.[chS]' -exec sed -i "$renaming" {} + &&
