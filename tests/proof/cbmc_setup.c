@@ -61,7 +61,7 @@ void proof_sides(void)
     const struct ph_setting setting = {.r = &r, .takes_narrow = true};
     is_inside(&r, v);
     CLAIM(!ph_sides_are_small(&s) || s.is_short);
-    CLAIM(reach_of(&setting, &s, v) == FAR || s.is_short);
+    CLAIM(excess_of(&setting, &s, v) == LARGE || s.is_short);
 }
 
 void proof_small_depths(void)
