@@ -20,6 +20,7 @@ struct runner_config {
     struct demo_camera camera;
     bool (*other_core)(void (*run)(void *argument), void *argument); /* see struct ph_config; may be NULL */
     void (*other_core_join)(void);
+    const struct ph_cores *cores;
     void *ahead;            /* memory for the scene of the next frame, which the other core then makes while this one
                                draws; 8-byte aligned, the runner's until runner_close. NULL: none. other_core must
                                take a new run when the one before has returned, joined or not */

@@ -272,6 +272,11 @@ enum ph_pixel_order {
 /* Bytes of a pixel: 2, or 3 for PH_PIXELS_RGB888. */
 size_t ph_pixel_bytes(unsigned order);
 
+/* How two cores share the work: an address, for struct ph_config. */
+struct ph_cores;
+extern const struct ph_cores ph_two_cores;
+#define PH_TWO_CORES (&ph_two_cores)
+
 struct ph_vertex;   /* a transformed vertex, see vertex.h */
 struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 
@@ -303,11 +308,12 @@ struct ph_config {
     void *depth; /* width * band_height * ph_depth_bytes(depth_format), with `samples` 4 times as much; aligned to the
                     bytes of a pixel, with `samples` to 4 */
 
-    /* Optional, both or none: a second core, which takes half of the vertices, of the triangles to cull, light and set
-     * up, and of the rows. other_core starts run on it and returns false if it is busy; other_core_join returns when
-     * run has returned. The picture is the same, whichever core is faster. */
+    /* Optional, all three or none: a second core, which takes half of the vertices, of the triangles to cull, light and
+     * set up, and of the rows. other_core starts run on it and returns false if it is busy; other_core_join returns
+     * when run has returned. The picture is the same, whichever core is faster. */
     bool (*other_core)(void (*run)(void *argument), void *argument);
     void (*other_core_join)(void);
+    const struct ph_cores *cores; /* PH_TWO_CORES: a program links what shares work if it names this */
 
     /* Optional, for ph_show. */
     void *pixels;        /* width * band_height * ph_pixel_bytes(pixel_order); aligned to 2 bytes */
@@ -403,8 +409,8 @@ struct ph_renderer {
 /*
  * Initialises r with a copy of config.
  * Errors: PH_ERR_INVAL: a size, a pointer or its alignment is wrong, or other_core lacks its
- *         other_core_join. PH_ERR_NOMEM: bin_max is below the number of bands. After an error r refuses all calls but
- * this one.
+ *         other_core_join or cores. PH_ERR_NOMEM: bin_max is below the number of bands. After an error r refuses all
+ * calls but this one.
  */
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 

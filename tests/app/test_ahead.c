@@ -162,6 +162,7 @@ static struct stage *stage_open(const char *board_name, size_t ahead_bytes)
     if (ahead_bytes > 0) {
         s->config.other_core = other_core;
         s->config.other_core_join = join;
+        s->config.cores = PH_TWO_CORES;
         s->config.ahead_bytes = ahead_bytes;
         s->config.ahead = malloc(ahead_bytes);
     }

@@ -120,6 +120,7 @@ static void open_subject(struct subject *s)
     if (below(2) != 0) {
         s->config.other_core = run_here;
         s->config.other_core_join = join_here;
+        s->config.cores = PH_TWO_CORES;
     }
 }
 
@@ -152,6 +153,7 @@ static int spoil(struct ph_config *c)
         c->depth = (uint8_t *)c->depth + 1;
         return PH_ERR_INVAL;
     case 4:
+        c->cores = PH_TWO_CORES;
         c->other_core = run_here;
         c->other_core_join = NULL;
         return PH_ERR_INVAL;

@@ -616,6 +616,7 @@ static uint32_t draw_again(const struct ph_config *config, const struct content 
     other.bin_max = (uint32_t)((other.height + other.band_height - 1) / other.band_height);
     other.bins = fence(&bins, other.bin_max * sizeof(*other.bins));
     if (core.here || below(2)) {
+        other.cores = PH_TWO_CORES;
         other.other_core = core.here ? run_there : run_here;
         other.other_core_join = core.here ? join_there : join_here;
     }

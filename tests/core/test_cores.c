@@ -147,7 +147,8 @@ static struct film *shoot(const struct demo *demo, uint16_t lines, uint8_t forma
                                .bin_max = HEIGHT,
                                .depth = depth,
                                .other_core = two ? other_core : NULL,
-                               .other_core_join = two ? other_core_join : NULL};
+                               .other_core_join = two ? other_core_join : NULL,
+                               .cores = two ? PH_TWO_CORES : NULL};
     void *const own = config.triangles;
     if (triangles > 0) {
         config.triangles = config.vertices;
@@ -299,9 +300,37 @@ static void two_cores_skin_as_one_does(void **state)
     }
 }
 
+static void a_second_core_without_what_shares_work_is_refused(void **state)
+{
+    (void)state;
+    static uint64_t room[64];
+    static uint32_t bins[1];
+    static uint16_t depth[8 * 8];
+    struct ph_config config = {.width = 8,
+                               .height = 8,
+                               .band_height = 8,
+                               .depth_format = PH_DEPTH_FIXED16,
+                               .vertices = room,
+                               .vertex_max = sizeof room / ph_vertex_bytes,
+                               .triangles = room,
+                               .triangle_max = 1,
+                               .bins = bins,
+                               .bin_max = 1,
+                               .depth = depth,
+                               .other_core = other_core,
+                               .other_core_join = other_core_join};
+    struct ph_renderer r;
+    assert_int_equal(ph_renderer_init(&r, &config), PH_ERR_INVAL);
+    config.cores = PH_TWO_CORES;
+    assert_int_equal(ph_renderer_init(&r, &config), PH_OK);
+    config.other_core_join = NULL;
+    assert_int_equal(ph_renderer_init(&r, &config), PH_ERR_INVAL);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_second_core_without_what_shares_work_is_refused),
         cmocka_unit_test(two_cores_draw_every_demo_as_one_does),
         cmocka_unit_test(also_with_other_bands_and_depths),
         cmocka_unit_test(no_delay_between_the_cores_changes_a_byte),

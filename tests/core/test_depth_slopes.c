@@ -549,6 +549,7 @@ static void open_views(struct rig rigs[2], enum ph_depth_format format, int expo
         rig_open(&rigs[i], WIDTH, HEIGHT, i == 0 ? 16 : 1, format, 6000, 6000);
         struct ph_config config = rigs[i].r.config;
         config.depth_exponent = (uint8_t)exponent;
+        config.cores = PH_TWO_CORES;
         config.other_core = i == 0 ? NULL : run_here;
         config.other_core_join = i == 0 ? NULL : join_here;
         assert_int_equal(ph_renderer_init(&rigs[i].r, &config), PH_OK);

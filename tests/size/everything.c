@@ -51,6 +51,7 @@ static int begin(unsigned choice)
         break;
     }
     config.samples = choice & 8 ? samples : NULL;
+    config.cores = PH_TWO_CORES;
     config.other_core = other_core;
     config.other_core_join = other_core_join;
     config.pixels = pixels;

@@ -247,6 +247,7 @@ static int open(struct runner *runner, struct panel_tiles *tiles)
                                          .budget_bytes = board_here->scene_bytes,
                                          .other_core = second ? port_core_run : NULL,
                                          .other_core_join = second ? port_core_join : NULL,
+                                         .cores = second ? PH_TWO_CORES : NULL,
                                          .ahead = image_ahead,
                                          .ahead_bytes = image_ahead_bytes,
                                          .demo = demo_here,

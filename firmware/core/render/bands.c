@@ -144,7 +144,7 @@ PH_TIER(mesh) static void draw_triangles(struct ph_feed *f, const struct ph_band
         more = rest.begun != NULL || f->ref != PH_NONE;
     }
     for (; more; clears = false) {
-        more = ph_draw_chunk(f, &rest, clears);
+        more = r->config.cores->draw_chunk(f, &rest, clears);
     }
     *rest.carry = NULL;
     r->stats.fragments += rest.fragments;

@@ -23,6 +23,18 @@ static inline void ph_run_both(const struct ph_renderer *r, void (*run)(void *ar
 /* Whether there is another core, and it is free. */
 bool ph_other_core_is_idle(const struct ph_renderer *r);
 
+struct ph_feed;
+struct ph_part_context;
+struct ph_rest;
+
+/* What only a renderer with two cores calls; struct ph_config names it, so that the linker leaves it out of a program
+ * for one core. See mesh.h and bands.h. */
+struct ph_cores {
+    bool (*each_both)(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen);
+    bool (*cull_both)(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen);
+    bool (*draw_chunk)(struct ph_feed *f, struct ph_rest *rest, bool clears);
+};
+
 /* The rows of a band that one core draws. */
 struct ph_share {
     struct ph_renderer *r;

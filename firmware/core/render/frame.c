@@ -38,7 +38,7 @@ static int check_config(const struct ph_config *config)
         config->triangle_max == PH_NONE ||
         ((uintptr_t)config->vertices | (uintptr_t)config->triangles) % sizeof(void *) != 0 ||
         (uintptr_t)config->bins % sizeof(uint32_t) != 0 || (uintptr_t)config->shown % sizeof(uint16_t) != 0 ||
-        (config->other_core != NULL && config->other_core_join == NULL)) {
+        (config->other_core != NULL && (config->other_core_join == NULL || config->cores == NULL))) {
         return PH_ERR_INVAL;
     }
     return config->bin_max < (height + lines - 1) / lines ? PH_ERR_NOMEM : PH_OK;

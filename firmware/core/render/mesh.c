@@ -27,7 +27,7 @@ static uint32_t draw_each(const struct ph_part_context *c, const uint16_t (*inde
         uint32_t count = (uint32_t)(end - index);
         if (may_share && count >= EACH_LEAST && ph_other_core_is_idle(c->r)) {
             count = count < PH_MESH_BLOCK ? count : PH_MESH_BLOCK;
-            may_share = ph_each_both(c, index, count, &seen);
+            may_share = c->r->config.cores->each_both(c, index, count, &seen);
             index += may_share ? count : 0;
             continue;
         }
@@ -85,7 +85,7 @@ static uint32_t draw_facing(const struct ph_part_context *c, const uint16_t (*in
         if (count < PH_SHARED_LEAST) {
             break;
         }
-        if (!ph_cull_both(c, index, count, &seen)) {
+        if (!c->r->config.cores->cull_both(c, index, count, &seen)) {
             seen += cull_alone(c, index, index + count);
         }
         index += count;
