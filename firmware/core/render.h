@@ -380,6 +380,8 @@ struct ph_list {
     uint64_t own[PH_OWN_BYTES / 8];
 };
 
+struct ph_lines;
+
 /* The state of one picture. Callers read stats; all other fields are private. Between ph_frame_bands and the last band
  * it must not be moved. */
 struct ph_renderer {
@@ -402,6 +404,7 @@ struct ph_renderer {
     uint32_t rows_place, rows; /* rows of pixels that blended triangles are drawn into */
     void (*fog)(void *share);  /* fogs the rows of a struct ph_share; or NULL */
     struct ph_fog fog_of;
+    const struct ph_lines *lines; /* sets up lines, if there are any: see line.h */
     uint32_t fog_codes[32];       /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
     struct ph_depth_traits depth; /* of this frame's format */
 };

@@ -252,6 +252,7 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
     t->block = PH_BLOCK_NONE;
     t->material = s->draw.material;
     t->as.line.colour = t->material->colour;
+    t->as.line.lines = &ph_lines;
     walk_of(s->r, from, to, t, &part);
     if (!end_codes(s, from, to, d)) {
         any_depth(s, from, to, t);
@@ -358,3 +359,6 @@ PH_TIER(scenery) void ph_line_step_below(struct ph_triangle *t, int32_t y)
         t->y_top = (int16_t)y;
     }
 }
+
+const struct ph_lines ph_lines = {
+    .setup_line = ph_setup_line, .draw_line = ph_draw_line_rows, .step_line = ph_line_step_below};

@@ -12,6 +12,17 @@
 #include "band.h"
 #include "setting.h"
 
+/* What sets up and draws lines. Only what lists lines names it, and gives it to the renderer; a line that is set up
+ * names it, too. So the linker leaves it out of a program without lines. */
+struct ph_lines {
+    void (*setup_line)(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
+                       struct ph_triangle *t);
+    uint32_t (*draw_line)(const struct ph_triangle *t, const struct ph_band *band);
+    void (*step_line)(struct ph_triangle *t, int32_t y);
+};
+
+extern const struct ph_lines ph_lines;
+
 /* Lists a line of the current draw if a pixel of it may lie in the picture. */
 void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b);
 

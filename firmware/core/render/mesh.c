@@ -9,7 +9,6 @@
 #include "edge.h"
 #include "fisheye.h"
 #include "light.h"
-#include "line.h"
 #include "setup.h"
 #include "transform.h"
 
@@ -136,26 +135,6 @@ PH_TIER(mesh) static void draw_triangles(struct ph_part_context *c, const struct
     c->r->stats.triangles_culled += part->count - seen;
 }
 
-/* Draws each edge of the mesh once, as a line. */
-PH_TIER(few) static PH_NOINLINE void draw_edges(const struct ph_part_context *c)
-{
-    const uint16_t(*edge)[2] = c->mesh->edges, (*const end)[2] = edge + c->mesh->edge_count;
-    for (;; edge++) {
-        if (c->curved == NULL) {
-            edge += ph_list_lines(c->r, edge, (uint32_t)(end - edge), c->vertices);
-        }
-        if (edge == end) {
-            break;
-        }
-        if ((c->vertices[(*edge)[0]].code & c->vertices[(*edge)[1]].code & PH_REJECT) != 0) {
-            continue;
-        }
-        const struct ph_clip_vertex ends[2] = {ph_mesh_vertex(c, (*edge)[0]), ph_mesh_vertex(c, (*edge)[1])};
-        ph_draw_clipped_line(c->r, c->material, ends);
-        ph_list_again(c->r, &c->draw);
-    }
-}
-
 /* Whether the light of a vertex is the same in both materials. */
 static bool is_lit_alike(const struct ph_material *a, const struct ph_material *b)
 {
@@ -260,7 +239,7 @@ static void draw_part(struct ph_part_context *c, const struct ph_part *part, con
     const uint32_t before = ph_ref_count(r);
     c->curved = r->lens.kind == PH_FISHEYE ? r->projection.curved : NULL;
     if (wire) {
-        draw_edges(c);
+        c->material->shading->draw_edges(c);
     } else {
         draw_triangles(c, part);
     }

@@ -67,4 +67,7 @@ bool ph_each_both(const struct ph_part_context *c, const uint16_t (*index)[3], u
  * seen. False if one must be clipped: then nothing is listed. */
 bool ph_cull_both(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen);
 
+/* mesh_edges.c: draws each edge of the mesh once, as a line. */
+void ph_draw_edges(const struct ph_part_context *c);
+
 #endif

@@ -211,7 +211,7 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
         return draw_long(t, band);
     }
     if (t->kind >= PH_KIND_LINE) {
-        return ph_draw_line_rows(t, band);
+        return t->as.line.lines->draw_line(t, band);
     }
     if (t->block == PH_BLOCK_EXACT) {
         return ph_draw_exact(t, band);
@@ -231,7 +231,7 @@ static inline bool can_step(const struct ph_triangle *t)
 PH_TIER(loop) void ph_step_below(struct ph_triangle *t, int32_t y1)
 {
     if (t->kind >= PH_KIND_LINE) {
-        ph_line_step_below(t, y1);
+        t->as.line.lines->step_line(t, y1);
         return;
     }
     const bool has_samples = t->kind == PH_KIND_SMALL_SAMPLES;

@@ -442,7 +442,7 @@ static PH_NOINLINE void setup_samples(const struct ph_setting *s, const struct p
 {
     struct ph_vertex a = s->fast.base[ref->corner[0]], b = s->fast.base[ref->corner[1]];
     ph_line_of_samples(&a, &b, ref->corner[2]);
-    ph_setup_line(s, &a, &b, t);
+    s->r->lines->setup_line(s, &a, &b, t);
 }
 
 PH_TIER(mesh)
@@ -485,7 +485,7 @@ void ph_setup_general(const struct ph_setting *s, const struct ph_ref *ref, enum
     } else if (s->has_samples) {
         setup_samples(s, ref, t);
     } else {
-        ph_setup_line(s, &base[ref->corner[0]], &base[ref->corner[1]], t);
+        s->r->lines->setup_line(s, &base[ref->corner[0]], &base[ref->corner[1]], t);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "triangle.h"
 
 struct ph_band;
+struct ph_part_context;
 struct ph_plane_base;
 struct ph_row_piece;
 struct ph_small_texels;
@@ -46,15 +47,15 @@ struct ph_texturing {
 enum ph_lit_corners { PH_NO_CORNER, PH_FIRST_CORNER, PH_EACH_CORNER };
 
 struct ph_shading {
-    uint8_t corners;                    /* enum ph_lit_corners */
-    bool wire;                          /* edges, no triangles */
-    const struct ph_lighting *lighting; /* NULL: PH_NO_CORNER */
+    uint8_t corners;                                     /* enum ph_lit_corners */
+    void (*draw_edges)(const struct ph_part_context *c); /* edges, no triangles; NULL: triangles */
+    const struct ph_lighting *lighting;                  /* NULL: PH_NO_CORNER */
     struct ph_texturing texturing;
 };
 
 static inline bool ph_is_wire(const struct ph_material *material)
 {
-    return material->shading != NULL && material->shading->wire;
+    return material->shading != NULL && material->shading->draw_edges != NULL;
 }
 
 /* Of which corners a material takes the light. */

@@ -1,6 +1,7 @@
 /* The shadings that a material may name. See shading.h, render.h. */
 #include "shading.h"
 
+#include "mesh.h"
 #include "planes.h"
 #include "small_texels.h"
 #include "texels.h"
@@ -18,7 +19,7 @@ static const struct ph_lighting lighting = {
 
 const struct ph_shading ph_shade_flat = {.corners = PH_FIRST_CORNER, .lighting = &lighting};
 const struct ph_shading ph_shade_gouraud = {.corners = PH_EACH_CORNER, .lighting = &lighting};
-const struct ph_shading ph_shade_wire = {.wire = true};
+const struct ph_shading ph_shade_wire = {.draw_edges = ph_draw_edges};
 const struct ph_shading ph_shade_texture = {.texturing = TEXTURING};
 const struct ph_shading ph_shade_texture_lit = {
     .corners = PH_FIRST_CORNER, .lighting = &lighting, .texturing = TEXTURING};

@@ -196,6 +196,7 @@ struct ph_triangle {
                 } codes;             /* PH_KIND_LINE: 16.16 codes */
                 struct ph_depth any; /* PH_KIND_ANY_LINE */
             } depth;
+            const struct ph_lines *lines; /* draws it */
         } line;
     } as;
 };
