@@ -24,9 +24,26 @@ is_as_recorded() { # record, bytes
     [ "$2" -ge $(($1 * 98 / 100)) ] || { echo "$2 bytes, $1 before: write it into tests/size/bytes.csv" && return 1; }
 }
 
-while IFS=, read -r program must aim record; do
+# Whether the program that was linked last has a function.
+links() { # function
+    arm-none-eabi-nm "$B/m0plus-os/program.elf" | grep -q " $1$"
+}
+
+# What a program that does not name a feature must not link, each by one function of it.
+links_none_of() { # function...: of the program that was linked last
+    local function found=''
+    for function; do
+        ! links "$function" || found="$found $function"
+    done
+    [ -z "$found" ] || { echo "it links$found" && return 1; }
+}
+
+named=$(cut -d, -f5 tests/size/bytes.csv | sed 1d | tr ' ' '\n' | sort -u) # the last program links all of them
+while IFS=, read -r program must aim record lacks; do
     [ "$program" != program ] || continue
     bytes=$(bytes_of "tests/size/$program.c")
+    # shellcheck disable=SC2086 # a word each
+    check "${program}_links_no_feature_that_it_does_not_name" links_none_of $lacks
     check "${program}_takes_what_bytes.csv_says" is_as_recorded "$record" "${bytes:-0}"
     if [ "$record" -le "$must" ]; then
         check "${program}_takes_at_most_${must}_bytes" takes_at_most "$must" "tests/size/$program.c"
@@ -34,6 +51,15 @@ while IFS=, read -r program must aim record; do
         skip "${program}_takes_at_most_${must}_bytes" "$bytes today; the aim is $aim"
     fi
 done <tests/size/bytes.csv
+for function in $named; do check "everything_links_$function" links "$function"; done
+
+# A call that pulls lines in is seen, and the line is named.
+sed 's|^    const struct ph_config|    ph_draw_line(\&renderer, positions[0], positions[1], \&material);\n&|' tests/size/unlit.c >"$dir/unlit.c"
+a_call_is_seen() {
+    grep -q ph_draw_line "$dir/unlit.c" && bytes_of -Itests/size "$dir/unlit.c" >/dev/null &&
+        ! links_none_of ph_light_vertex ph_draw_line_rows >"$dir/said" && grep -qx 'it links ph_draw_line_rows' "$dir/said"
+}
+check "a_call_that_pulls_a_feature_in_is_seen" a_call_is_seen
 
 # More code in a program is seen.
 {
