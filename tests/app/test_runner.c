@@ -590,6 +590,7 @@ static void set_cores(struct runner_config *config)
 {
     static uint64_t memory[20000];
     config->other_core = core_at_once;
+    config->cores = PH_TWO_CORES;
     config->other_core_join = join_at_once;
     config->ahead = memory;
     config->ahead_bytes = sizeof memory;
