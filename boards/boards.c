@@ -1,6 +1,8 @@
 /* See boards.h and board.h. */
 #include "boards.h"
 
+#include "boards_all.h"
+
 #include <string.h>
 
 const struct board *const board_list[] = {BOARDS_ALL};

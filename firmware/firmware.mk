@@ -100,10 +100,10 @@ IMAGE_FLASH_BYTES = $(CHIP_FLASH_BYTES)$(if $(UF2_APP_BASE), - ($(UF2_APP_BASE) 
 BOARD_SYMBOL := board_$(subst -,_,$(BOARD))
 
 # FORCE, because BOARD and BOARD_DIR may be others than last time.
-$(B)/board-facts: $(B)/boards_all/boards_all.h FORCE
+$(B)/board-facts: FORCE
 	@mkdir -p $(@D)
 	$(Q)$(HOSTCC) $(INC) -DBOARD_HERE=$(BOARD_SYMBOL) -o $@ firmware/tools/board_facts.c '$(BOARD_HOME)/board.c' $(wildcard hal/panel/panels_*.c)
-$(B)/board-facts: INC = -Ihal -Iboards -I$(B)/boards_all
+$(B)/board-facts: INC = -Ihal -Iboards
 
 # A make of its own builds the image, with the target's compiler in place of the computer's.
 image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install $(if $(PORT_CROSS),gcc-$(PORT_CROSS:%-=%),gcc-arm-none-eabi libnewlib-arm-none-eabi)))\

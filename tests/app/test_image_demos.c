@@ -13,6 +13,7 @@ int image_main(void);
 #undef main
 
 #include "boards.h"
+#include "boards_all.h"
 #include "demo_scene.h"
 #include "sim_player.h"
 

@@ -5,6 +5,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
+#include "boards_all.h"
 #include "crc32.h"
 #include "runner.h"
 #include "sim.h"

@@ -6,6 +6,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
+#include "boards_all.h"
 #include "panel_picture.h"
 
 #include <stdio.h>

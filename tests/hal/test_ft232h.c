@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
+#include "boards_all.h"
 #include "ft232h/ft232h.h"
 #include "ft232h/link.h"
 #include "ft232h/mpsse.h"

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
+#include "boards_all.h"
 #include "hal_conformance.h"
 #include "null/null.h"
 #include "port.h"

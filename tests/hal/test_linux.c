@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
+#include "boards_all.h"
 #include "linux/debounce.h"
 #include "linux/lines.h"
 #include "linux/sender.h"

@@ -5,6 +5,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
+#include "boards_all.h"
 #include "chips/spi_clock.h"
 
 static void known_clocks(void **state)

@@ -10,6 +10,7 @@
 #include "../../host-sim/asset/asset_fit.c" /* NOLINT(bugprone-suspicious-include) */
 
 #include "boards.h"
+#include "boards_all.h"
 #include "stderr_capture.h"
 
 #include <stdlib.h>

@@ -5,6 +5,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
+#include "boards_all.h"
 #include "stderr_capture.h"
 #include "complain.h"
 #include "panel_probe.h"

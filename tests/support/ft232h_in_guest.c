@@ -5,6 +5,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
+#include "boards_all.h"
 #include "ft232h/ft232h.h"
 #include "hal_conformance.h"
 
