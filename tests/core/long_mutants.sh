@@ -42,7 +42,7 @@ triangles not carried to the next band   | render/bands.c   | s/(t->y_bottom <= 
 a carried triangle begins where it did   | render/raster.c  | s/t->y_top = (int16_t)y1;//                          | test_cores
 triangles not carried by two cores       | render/bands_cores.c | s/(list->y_bottom <= y1)/(list->y_bottom <= y1 + 1)/ | test_cores
 triangles drawn in reverse               | render/list.h    | s/return r->list.top - 1 - n;/return r->list.to + n;/ | test_raster
-depth not cleared                        | render/bands.c   | s/ph_fill(rows->depth.*//                            | test_raster
+depth not cleared                        | render/slots.c   | s/ph_fill(rows->depth.*//                            | test_raster
 no clamp at the left border              | render/edge.h    | s/ph_max((int32_t)left >> 16, 0)/((int32_t)left >> 16)/ | test_raster
 no clamp of texels at the left border    | kernels/texture_tile.h | s/left > 0 ? left : 0/left/                | test_texture
 one triangle over the budget             | render/list.c    | s/most : r->config.triangle_max/most : r->config.triangle_max + 1/ | test_frame
