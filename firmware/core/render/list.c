@@ -227,7 +227,7 @@ PH_TIER(few) static uint32_t place_lens(struct ph_renderer *r)
 #define MATERIAL_BYTES 56u /* in the list, on every machine, so that the same fits */
 _Static_assert(sizeof(struct ph_material) <= MATERIAL_BYTES, "a material fits its room in the list");
 
-static PH_NOINLINE bool is_equal(const struct ph_material *a, const struct ph_material *b)
+PH_TIER(mesh) static PH_NOINLINE bool is_equal(const struct ph_material *a, const struct ph_material *b)
 {
     return a->shading == b->shading && a->colour == b->colour && a->texture == b->texture && a->ramp == b->ramp &&
            a->blend == b->blend && a->two_sided == b->two_sided && a->shininess_log2 == b->shininess_log2 &&
@@ -235,15 +235,17 @@ static PH_NOINLINE bool is_equal(const struct ph_material *a, const struct ph_ma
            a->diffuse == b->diffuse && a->specular == b->specular;
 }
 
-static const struct ph_material *material_of(const struct ph_renderer *r, const struct ph_draw *draw)
+PH_TIER(mesh)
+static inline const struct ph_material *material_of(const struct ph_renderer *r, const struct ph_draw *draw)
 {
     return ph_at(r, draw->copy[0] & ~1u);
 }
 
 /* Copies a material for the draw that follows the last one, or that takes its room (`again`), and so that of a copy
  * that was made for it. Returns what ph_draw.copy says of it, or PH_NONE. */
-static PH_NOINLINE uint32_t copy_material(struct ph_renderer *r, const struct ph_draw *last, bool again,
-                                          const struct ph_material *material)
+PH_TIER(mesh)
+static PH_NOINLINE uint32_t
+    copy_material(struct ph_renderer *r, const struct ph_draw *last, bool again, const struct ph_material *material)
 {
     const uint32_t place =
         again && (last->copy[0] & 1) != 0 ? last->copy[0] & ~1u : take_any(r, OWN, TRIANGLES, MATERIAL_BYTES);

@@ -11,7 +11,8 @@
 
 #include <string.h>
 
-/* Bonded columns and rows of each module, by its maker's drawing: glass, memory, first column and row, flags. */
+/* Columns and rows that are bonded: glass, memory, first column and row, flags. Sizes and memory are those of the data
+ * sheets; the rest repeats what drivers in use send, and guards it against a slip. */
 static const struct {
     const char *panel, *controller;
     unsigned width, height, ram_width, ram_height, left, top;
