@@ -46,7 +46,7 @@ rows outside the picture           | render/setup.c     | s/y_bottom = ph_min(o.
 a gradient that changes its sign   | render/planes.c    | s/fx_sat64((px + half) >> down)/(int32_t)((px + half) >> down)/ | planes.wide_gradient
 a gradient that is not halved      | render/planes.c    | s/1 - fx_clz32(ph_without_sign(gx)/-1 - fx_clz32(ph_without_sign(gx)/ | planes.short_plane
 a far unit of linear-w             | render/exact.c     | s/fx_clz32(high), 30)/fx_clz32(high), 24)/               | exact.set_run
-a line of two pixels               | render/line.c      | s/wide ? 0 : 128, /wide ? 0 : 256, /                     | line.corners
+a line of two pixels               | render/line.c      | s/x_major ? 0 : 128, /x_major ? 0 : 256, /                     | line.corners
 a small slope of one bit more      | render/slopes.h    | s/PH_SLOPE_BITS 15/PH_SLOPE_BITS 16/                     | setup_small.depth_gradient
 END
 }
