@@ -184,8 +184,9 @@ $(B)/%.o: %.S $(B)/flags
 BOARD_IDS := $(patsubst %,board_%,$(subst -,_,$(BOARD_NAMES) $(BOARDS_MORE)))
 $(B)/flags: $(B)/boards_all/boards_all.h
 $(B)/boards_all/boards_all.h: FORCE
-	@mkdir -p $(@D); { printf 'extern const struct board %s;\n' $(BOARD_IDS); printf '#define BOARDS_ALL'; printf ' &%s,' $(BOARD_IDS); echo; } >$@.new
-	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+	@mkdir -p $(@D); new=$@.$$$$; \
+	{ printf 'extern const struct board %s;\n' $(BOARD_IDS); printf '#define BOARDS_ALL'; printf ' &%s,' $(BOARD_IDS); echo; } >$$new; \
+	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi # a name of its own: another make may write it, too
 
 ifneq ($(BOARDS_MORE),)
 $(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags
