@@ -1,6 +1,4 @@
 /* See model_files.h. */
-#define _XOPEN_SOURCE 700 /* mkdtemp, nftw */
-
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -9,74 +7,14 @@
 #include "stderr_capture.h"
 #include "model_files.h"
 
-#include <ftw.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static char folder[] = "/tmp/pinhole-model-XXXXXX";
 
 static const signed char corners[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                                           {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
 static const unsigned char quads[6][4] = {{4, 5, 6, 7}, {1, 0, 3, 2}, {5, 1, 2, 6},
                                           {0, 4, 7, 3}, {7, 6, 2, 3}, {0, 1, 5, 4}};
-
-int files_begin(void **state)
-{
-    (void)state;
-    strcpy(folder, "/tmp/pinhole-model-XXXXXX");
-    return mkdtemp(folder) != NULL ? 0 : -1;
-}
-
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *where)
-{
-    (void)status;
-    (void)type;
-    (void)where;
-    return remove(path);
-}
-
-int files_end(void **state)
-{
-    (void)state;
-    return nftw(folder, remove_one, 8, FTW_DEPTH | FTW_PHYS);
-}
-
-const char *file_path(const char *name)
-{
-    static char paths[8][256];
-    static unsigned next;
-    char *path = paths[next++ % 8];
-    snprintf(path, 256, "%s/%s", folder, name);
-    return path;
-}
-
-const char *file_bytes(const char *name, const void *bytes, size_t n)
-{
-    const char *path = file_path(name);
-    FILE *file = fopen(path, "wb");
-    if (file == NULL || fwrite(bytes, 1, n, file) != n || fclose(file) != 0) {
-        abort();
-    }
-    return path;
-}
-
-const char *file_text(const char *name, const char *text)
-{
-    return file_bytes(name, text, strlen(text));
-}
-
-uint8_t *file_read(const char *name, size_t *n)
-{
-    uint8_t *bytes = malloc(1 << 20);
-    FILE *file = fopen(file_path(name), "rb");
-    if (file == NULL || bytes == NULL) {
-        abort();
-    }
-    *n = fread(bytes, 1, 1 << 20, file);
-    fclose(file);
-    return bytes;
-}
 
 void file_ones(const char *name, const int *places, int count, size_t n)
 {

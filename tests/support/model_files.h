@@ -6,20 +6,7 @@
 #define MODEL_FILES_H
 
 #include "model.h"
-
-/* For a group of tests: make the directory; remove it with everything in it. */
-int files_begin(void **state);
-int files_end(void **state);
-
-/* Full name of a file in it; one of 8 buffers that take turns. */
-const char *file_path(const char *name);
-
-/* Writes n bytes, or a text; returns file_path(name). */
-const char *file_bytes(const char *name, const void *bytes, size_t n);
-const char *file_text(const char *name, const char *text);
-
-/* Reads a file of this name; *n is its length. free() it. */
-uint8_t *file_read(const char *name, size_t *n);
+#include "files.h"
 
 /* Writes n (up to 128) bytes: floats of little endian, 0 everywhere but 1 at these places. */
 void file_ones(const char *name, const int *places, int count, size_t n);

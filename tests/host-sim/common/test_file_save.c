@@ -1,5 +1,5 @@
 /* file_save: a file is there whole or as it was before, no temporary file stays, and signals wait. */
-#define _XOPEN_SOURCE 700 /* mkdtemp, mkfifo, symlink, SIGXCPU */
+#define _XOPEN_SOURCE 700 /* mkfifo, symlink, SIGXCPU */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,6 +7,7 @@
 
 #include "complain.h"
 #include "file_save.h"
+#include "files.h"
 #include "hal.h"
 #include "stderr_capture.h"
 
@@ -202,8 +203,7 @@ static void an_error_without_a_number_is_eio(void **state)
 
 int main(void)
 {
-    char folder[] = "/tmp/file_save.XXXXXX";
-    if (mkdtemp(folder) == NULL || chdir(folder) != 0) {
+    if (files_begin_inside() != 0) {
         return 1;
     }
     const struct CMUnitTest tests[] = {
@@ -217,5 +217,5 @@ int main(void)
         cmocka_unit_test(an_error_without_a_number_is_eio),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return rmdir(folder) != 0 ? 1 : failed;
+    return files_end_empty() != 0 ? 1 : failed;
 }

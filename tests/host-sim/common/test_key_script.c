@@ -1,11 +1,11 @@
 /* key_script: scripts of button presses as text, and what is held at which frame, counted by hand. */
-#define _XOPEN_SOURCE 700 /* mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
 
 #include "complain.h"
+#include "files.h"
 #include "hal.h"
 #include "key_script.h"
 #include "stderr_capture.h"
@@ -17,20 +17,12 @@
 
 static const char path[] = "key_script.test";
 
-static void write_script(const char *text, size_t n)
-{
-    FILE *const file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(text, 1, n, file), n);
-    fclose(file);
-}
-
 /* Reads a script; `said` is in the line on stderr where it is wrong, else NULL. */
 static struct key_script read_bytes(const char *text, size_t n, const char *said)
 {
     struct key_script keys;
     struct stderr_capture capture;
-    write_script(text, n);
+    file_bytes(path, text, n);
     stderr_capture_begin(&capture);
     const int status = key_script_read(&keys, path);
     stderr_capture_end(&capture);
@@ -138,8 +130,7 @@ static void a_hundred_thousand_presses_are_enough(void **state)
 
 int main(void)
 {
-    char folder[] = "/tmp/key_script.XXXXXX";
-    if (mkdtemp(folder) == NULL || chdir(folder) != 0) {
+    if (files_begin_inside() != 0) {
         return 1;
     }
     const struct CMUnitTest tests[] = {
@@ -150,5 +141,5 @@ int main(void)
         cmocka_unit_test(a_hundred_thousand_presses_are_enough),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return rmdir(folder) != 0 ? 1 : failed;
+    return files_end_empty() != 0 ? 1 : failed;
 }

@@ -10,28 +10,35 @@
 #include <stdlib.h>
 #include <string.h>
 
+static char *said;
+static size_t said_bytes;
+
+static FILE *hear(void)
+{
+    FILE *const file = open_memstream(&said, &said_bytes);
+    assert_non_null(file);
+    return file;
+}
+
+static void expect(FILE *heard, const char *text)
+{
+    fclose(heard);
+    assert_string_equal(said, text);
+    free(said);
+}
+
 static void expect_table(const char *csv, const char *headings, const char *table)
 {
-    char *text = NULL;
-    size_t n = 0;
-    FILE *const file = open_memstream(&text, &n);
-    assert_non_null(file);
+    FILE *const file = hear();
     depth_table_print(file, csv, headings);
-    fclose(file);
-    assert_string_equal(text, table);
-    free(text);
+    expect(file, table);
 }
 
 static void expect_json(const char *csv, const char *json)
 {
-    char *text = NULL;
-    size_t n = 0;
-    FILE *const file = open_memstream(&text, &n);
-    assert_non_null(file);
+    FILE *const file = hear();
     depth_table_json(file, csv);
-    fclose(file);
-    assert_string_equal(text, json);
-    free(text);
+    expect(file, json);
 }
 
 static void columns_are_as_wide_as_their_longest_cell(void **state)

@@ -1,11 +1,11 @@
 /* frame_out: which output a name means, the names and bytes of the files, and what is left after an error. */
-#define _XOPEN_SOURCE 700 /* mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
 
 #include "complain.h"
+#include "files.h"
 #include "frame_out.h"
 #include "gif_out.h"
 #include "picture_in.h"
@@ -34,12 +34,11 @@ static int open_out(struct frame_out *out, const char *target, bool several, uin
 
 static void expect_file(const char *path, const char *bytes, size_t n)
 {
-    char found[200];
-    FILE *const file = fopen(path, "rb");
-    assert_non_null(file);
-    assert_int_equal(fread(found, 1, sizeof found, file), n);
-    fclose(file);
-    assert_memory_equal(found, bytes, n);
+    size_t found = 0;
+    uint8_t *const read = file_read(path, &found);
+    assert_int_equal(found, n);
+    assert_memory_equal(read, bytes, n);
+    free(read);
     assert_int_equal(unlink(path), 0);
 }
 
@@ -153,10 +152,7 @@ static void what_cannot_be_read_is_told(void **state)
     (void)state;
     struct ppm back;
     struct stderr_capture capture;
-    FILE *const file = fopen("x", "wb");
-    assert_non_null(file);
-    fputs("neither", file);
-    fclose(file);
+    file_text("x", "neither");
     stderr_capture_begin(&capture);
     const int other = frame_out_load("x", 100, &back), none = frame_out_load("none", 100, &back);
     stderr_capture_end(&capture);
@@ -201,8 +197,7 @@ static void a_gif_is_written_at_the_end(void **state)
 
 int main(void)
 {
-    char folder[] = "/tmp/frame_out.XXXXXX";
-    if (mkdtemp(folder) == NULL || chdir(folder) != 0) {
+    if (files_begin_inside() != 0) {
         return 1;
     }
     const struct CMUnitTest tests[] = {
@@ -212,5 +207,5 @@ int main(void)
         cmocka_unit_test(a_gif_is_written_at_the_end),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return rmdir(folder) != 0 ? 1 : failed;
+    return files_end_empty() != 0 ? 1 : failed;
 }

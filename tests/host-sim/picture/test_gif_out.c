@@ -1,10 +1,10 @@
 /* gif_out: what giflib decodes again: size, rate, palette, pixels that stay, and colours that had to be chosen. */
-#define _XOPEN_SOURCE 700 /* mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
 
+#include "files.h"
 #include "gif_out.h"
 
 #include <errno.h>
@@ -207,11 +207,10 @@ static void a_folder_that_is_missing_is_told(void **state)
 
 int main(void)
 {
-    char folder[] = "/tmp/gif_out.XXXXXX";
     if (gif_out_reason != NULL) {
         return 77; /* no GIF is written here */
     }
-    if (mkdtemp(folder) == NULL || chdir(folder) != 0) {
+    if (files_begin_inside() != 0) {
         return 1;
     }
     const struct CMUnitTest tests[] = {
@@ -223,5 +222,5 @@ int main(void)
         cmocka_unit_test(a_folder_that_is_missing_is_told),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return rmdir(folder) != 0 ? 1 : failed;
+    return files_end_empty() != 0 ? 1 : failed;
 }

@@ -1,10 +1,10 @@
 /* ppm: files as the PPM format describes them (netpbm, P6), written by hand. */
-#define _XOPEN_SOURCE 700 /* mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
 
+#include "files.h"
 #include "ppm.h"
 #include "status.h"
 
@@ -15,18 +15,10 @@
 
 static const char path[] = "a.ppm";
 
-static void write_file(const void *bytes, size_t n)
-{
-    FILE *const file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, n, file), n);
-    fclose(file);
-}
-
 static int load(const void *bytes, size_t n, uint32_t most, struct ppm *picture)
 {
     memset(picture, 0, sizeof *picture);
-    write_file(bytes, n);
+    file_bytes(path, bytes, n);
     const int status = ppm_load(path, most, picture);
     assert_int_equal(unlink(path), 0);
     return status;
@@ -149,8 +141,7 @@ static void a_full_disk_is_told(void **state)
 
 int main(void)
 {
-    char folder[] = "/tmp/ppm.XXXXXX";
-    if (mkdtemp(folder) == NULL || chdir(folder) != 0) {
+    if (files_begin_inside() != 0) {
         return 1;
     }
     const struct CMUnitTest tests[] = {
@@ -161,5 +152,5 @@ int main(void)
         cmocka_unit_test(a_full_disk_is_told),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    return rmdir(folder) != 0 ? 1 : failed;
+    return files_end_empty() != 0 ? 1 : failed;
 }
