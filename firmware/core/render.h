@@ -370,13 +370,16 @@ struct ph_lens {
 
 /* Where the list of a frame stands, see list.h. Private to the renderer. */
 struct ph_ref;
+#define PH_LIST_COPIES 4 /* materials that draws by turns share: an equal one is looked for among so many */
+
 struct ph_list {
-    struct ph_ref *top, *to, *end; /* references go down from top; the last one is at `to`; there is room until end */
-    uint32_t used[3];              /* bytes taken from own, vertices, triangles */
-    uint32_t first, last, lens;    /* places of the first and the last draw, and of the camera in use */
-    uint32_t band_scale;           /* 2^20 / band_height, rounded up */
-    uint16_t is_closed;            /* 0: open; 1: full; 2: closed, because no frame has begun, or its bands are made */
-    uint16_t band;                 /* the band that is drawn next */
+    struct ph_ref *top, *to, *end;   /* references go down from top; the last one is at `to`; there is room until end */
+    uint32_t used[3];                /* bytes taken from own, vertices, triangles */
+    uint32_t first, last, lens;      /* places of the first and the last draw, and of the camera in use */
+    uint32_t copies[PH_LIST_COPIES]; /* places of the last copies of materials, the newest first, then PH_NONE */
+    uint32_t band_scale;             /* 2^20 / band_height, rounded up */
+    uint16_t is_closed; /* 0: open; 1: full; 2: closed, because no frame has begun, or its bands are made */
+    uint16_t band;      /* the band that is drawn next */
     uint64_t own[PH_OWN_BYTES / 8];
 };
 

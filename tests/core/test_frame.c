@@ -610,6 +610,40 @@ static void one_variable_may_hold_the_materials_of_many_draws(void **state)
     drawing_close(&d);
 }
 
+/* Bytes of a list of lines that take so many colours by turns, each of which is drawn as it should. */
+static size_t bytes_by_turns(int colours)
+{
+    struct ph_material material = {.shading = PH_SHADE_UNLIT};
+    struct drawing d;
+    size_t bytes = 0;
+    drawing_open(&d);
+    for (int y = 0; y < HEIGHT; y++) {
+        const fx_t at = FX_INT(HEIGHT - 1 - y) + FX_HALF;
+        material.colour = colour_of((char)('a' + y % colours));
+        ph_draw_line(&d.rig.r, (struct fx_vec3){0, at, FX_INT(-2)}, (struct fx_vec3){FX_INT(WIDTH), at, FX_INT(-2)},
+                     &material);
+    }
+    for (int piece = 0; piece < 3; piece++) {
+        bytes += d.rig.r.list.used[piece];
+    }
+    assert_true(rig_finish(&d.rig));
+    for (int y = 0; y < HEIGHT; y++) {
+        assert_int_equal(letter_at(&d, WIDTH / 2, y), 'a' + y % colours);
+    }
+    drawing_close(&d);
+    return bytes;
+}
+
+/* With two colours or more each line is a draw of its own. */
+static void draws_share_materials_by_turns(void **state)
+{
+    (void)state;
+    const size_t two = bytes_by_turns(2), copy = bytes_by_turns(3) - two;
+    assert_true(copy >= sizeof(struct ph_material) && copy < 2 * sizeof(struct ph_material));
+    assert_int_equal(bytes_by_turns(PH_LIST_COPIES) - two, (PH_LIST_COPIES - 2) * copy);
+    assert_int_equal(bytes_by_turns(PH_LIST_COPIES + 1) - two, (HEIGHT - 2) * copy); /* none is found again */
+}
+
 static void what_is_null_is_refused(void **state)
 {
     (void)state;
@@ -707,6 +741,7 @@ int main(void)
         cmocka_unit_test(impossible_configurations_are_refused),
         cmocka_unit_test(a_material_may_change_after_its_draw),
         cmocka_unit_test(one_variable_may_hold_the_materials_of_many_draws),
+        cmocka_unit_test(draws_share_materials_by_turns),
         cmocka_unit_test(what_is_null_is_refused),
         cmocka_unit_test(colours_are_in_wire_order),
         cmocka_unit_test(ramp_goes_from_black_over_the_colour_to_white),

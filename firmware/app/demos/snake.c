@@ -330,7 +330,7 @@ static const char *const views[] = {"head", "outside", NULL};
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
     {.arena_bytes = ARENA_FINE, .vertex_max = VERTICES, .triangle_max = 1060, .corner_max = 96},
-    {.arena_bytes = ARENA_FEW, .vertex_max = 642, .triangle_max = 336, .corner_max = 48},
+    {.arena_bytes = ARENA_FEW, .vertex_max = 642, .triangle_max = 300, .corner_max = 48},
 };
 
 const struct demo demo_snake = {

@@ -120,16 +120,14 @@ static int draw_side(const struct demo_context *context, struct ph_renderer *r, 
     const struct ph_xform yaw = ph_xform_rotate_y(sway);
     const struct ph_xform pitch = ph_xform_rotate_x(nod);
     int status = demo_begin(&side, r, &ph_xform_identity, &p, NULL, ph_rgb565(18, 20, 30));
-    /* All blue ones come first: they stay where two are equal. One colour after the other, the list needs two copies of
-     * materials; by turns it would need twelve. */
-    for (int32_t k = 0; k < 2 * PAIRS && status == PH_OK; k++) {
-        const int32_t i = k % PAIRS;
+    for (int32_t i = 0; i < PAIRS && status == PH_OK; i++) {
         struct ph_xform place = ph_xform_mul(&yaw, &pitch);
         int32_t x2, y2;
         place_of(&l, i, &x2, &y2);
         place.t =
             (struct fx_vec3){l.step_x * distances[i] / 2 * x2, l.step_y * distances[i] / 2 * y2, FX_INT(-distances[i])};
-        status = ph_draw_mesh(r, &z->plates[i][k < PAIRS], &place);
+        status = ph_draw_mesh(r, &z->plates[i][1], &place); /* the blue one first: it stays where the two are equal */
+        status = status ? status : ph_draw_mesh(r, &z->plates[i][0], &place);
     }
     return status;
 }

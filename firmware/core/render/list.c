@@ -73,6 +73,14 @@ void ph_list_close(struct ph_renderer *r)
     set_end(r);
 }
 
+/* Forgets the copies of materials but for this one. */
+PH_TIER(few) static void forget_copies(struct ph_list *list, uint32_t but)
+{
+    for (int i = 0; i < PH_LIST_COPIES; i++) {
+        list->copies[i] = i == 0 ? but : PH_NONE;
+    }
+}
+
 PH_TIER(few) void ph_list_begin(struct ph_renderer *r)
 {
     struct ph_list *const list = &r->list;
@@ -82,6 +90,7 @@ PH_TIER(few) void ph_list_begin(struct ph_renderer *r)
     list->to = list->top;
     list->used[OWN] = list->used[VERTICES] = list->used[TRIANGLES] = 0;
     list->first = list->last = list->lens = PH_NONE;
+    forget_copies(list, PH_NONE);
     list->is_closed = PH_LIST_OPEN;
     r->rows = 0;
     r->after = NULL;
@@ -229,10 +238,11 @@ _Static_assert(sizeof(struct ph_material) <= MATERIAL_BYTES, "a material fits it
 
 PH_TIER(mesh) static PH_NOINLINE bool is_equal(const struct ph_material *a, const struct ph_material *b)
 {
-    return a->shading == b->shading && a->colour == b->colour && a->texture == b->texture && a->ramp == b->ramp &&
-           a->blend == b->blend && a->two_sided == b->two_sided && a->shininess_log2 == b->shininess_log2 &&
-           a->depth_bias == b->depth_bias && a->depth_bias_slope == b->depth_bias_slope && a->ambient == b->ambient &&
-           a->diffuse == b->diffuse && a->specular == b->specular;
+    return a == b ||
+           (a->shading == b->shading && a->colour == b->colour && a->texture == b->texture && a->ramp == b->ramp &&
+            a->blend == b->blend && a->two_sided == b->two_sided && a->shininess_log2 == b->shininess_log2 &&
+            a->depth_bias == b->depth_bias && a->depth_bias_slope == b->depth_bias_slope && a->ambient == b->ambient &&
+            a->diffuse == b->diffuse && a->specular == b->specular);
 }
 
 PH_TIER(mesh)
@@ -241,17 +251,38 @@ static inline const struct ph_material *material_of(const struct ph_renderer *r,
     return ph_at(r, draw->copy[0] & ~1u);
 }
 
+/* The place of a copy that is equal to a material, among the last ones; or PH_NONE. The last draw's is among them. */
+PH_TIER(mesh) static PH_NOINLINE uint32_t find_copy(const struct ph_renderer *r, const struct ph_material *material)
+{
+    for (int i = 0; i < PH_LIST_COPIES && r->list.copies[i] != PH_NONE; i++) {
+        if (is_equal(ph_at(r, r->list.copies[i]), material)) {
+            return r->list.copies[i];
+        }
+    }
+    return PH_NONE;
+}
+
 /* Copies a material for the draw that follows the last one, or that takes its room (`again`), and so that of a copy
  * that was made for it. Returns what ph_draw.copy says of it, or PH_NONE. */
 PH_TIER(mesh)
-static PH_NOINLINE uint32_t
-    copy_material(struct ph_renderer *r, const struct ph_draw *last, bool again, const struct ph_material *material)
+static PH_NOINLINE uint32_t copy_material(struct ph_renderer *r, const struct ph_draw *last, bool again,
+                                          const struct ph_material *material)
 {
-    const uint32_t place =
-        again && (last->copy[0] & 1) != 0 ? last->copy[0] & ~1u : take_any(r, OWN, TRIANGLES, MATERIAL_BYTES);
-    if (place != PH_NONE) {
-        *(struct ph_material *)ph_at(r, place) = *material;
+    uint32_t *const copies = r->list.copies;
+    uint32_t place = PH_NONE;
+    if (again && (last->copy[0] & 1) != 0) {
+        place = last->copy[0] & ~1u;
+    } else {
+        place = take_any(r, OWN, TRIANGLES, MATERIAL_BYTES);
+        if (place == PH_NONE) {
+            return PH_NONE;
+        }
+        for (int i = PH_LIST_COPIES - 1; i > 0; i--) {
+            copies[i] = copies[i - 1];
+        }
+        copies[0] = place;
     }
+    *(struct ph_material *)ph_at(r, place) = *material;
     return place | 1;
 }
 
@@ -259,9 +290,8 @@ PH_TIER(mesh) bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *dra
 {
     struct ph_list *const list = &r->list;
     struct ph_draw *last = list->last == PH_NONE ? NULL : draw_at(r, list->last);
-    const struct ph_material *const before = last != NULL ? material_of(r, last) : NULL;
-    const uint32_t lens = place_lens(r), count = ph_ref_count(r);
-    const bool equal = last != NULL && (before == draw->material || is_equal(before, draw->material));
+    const uint32_t lens = place_lens(r), count = ph_ref_count(r), found = find_copy(r, draw->material);
+    const bool equal = last != NULL && found == (last->copy[0] & ~1u);
     if (lens == PH_NONE) {
         return false;
     }
@@ -269,9 +299,9 @@ PH_TIER(mesh) bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *dra
         return true;
     }
     const bool again = last != NULL && last->first == count; /* without references it gives its room to the next one */
-    const uint32_t copy = !equal  ? copy_material(r, last, again, draw->material)
-                          : again ? last->copy[0]
-                                  : last->copy[0] & ~1u;
+    const uint32_t copy = found == PH_NONE ? copy_material(r, last, again, draw->material)
+                          : equal && again ? last->copy[0]
+                                           : found;
     if (copy == PH_NONE) {
         return false;
     }
@@ -332,6 +362,7 @@ PH_TIER(few) void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *ma
         r->list.first = PH_NONE;
     }
     r->list.last = mark->last;
+    forget_copies(&r->list, mark->last != PH_NONE ? mark->draw.copy[0] & ~1u : PH_NONE);
     r->rows = mark->rows;
     set_end(r);
 }

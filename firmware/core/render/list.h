@@ -3,7 +3,7 @@
  *
  * Transformed vertices stay where they are, 16 bytes each. A triangle that can be seen is a reference of 8 bytes to its
  * three corners. Neighbouring references share a draw record: first vertex, camera, and a copy of their material, which
- * neighbouring draws share in turn. A band sets up the triangles that begin in it (bands.c).
+ * the next draws share in turn (PH_LIST_COPIES). A band sets up the triangles that begin in it (bands.c).
  *
  * Memory: the caller's `vertices` and `triangles`, and a little of the renderer's own for scenes of few triangles.
  * References grow down from the end of `triangles`. All else is taken from the three pieces upwards, and is named by
@@ -149,7 +149,7 @@ void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw);
 uint32_t ph_list_base(const struct ph_renderer *r);
 
 /* Makes a draw the current one: from now on references are listed for it; first, next, lens and copy are set here, and
- * its material is copied, unless the draw before has an equal one. False: there is no room. */
+ * its material is copied, unless one of the last copies is equal. False: there is no room. */
 bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw);
 
 /* The list's copy of the current draw's material. */
