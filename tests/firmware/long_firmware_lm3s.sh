@@ -20,8 +20,6 @@ emulate() { # app, pinhole-emulate's arguments...
 }
 
 builds() { make -s -j2 B="$B" "$B/pinhole-emulate" "$B/pinhole-sim" && firmware; }
-demos=$(grep -c '^ *&\?demo_[a-z]*,' <(sed -n '/^const struct demo \*const demo_list/,/};/p' firmware/app/demos/list.c | tr ' ' '\n'))
-frames_of_all=$((each * (demos + 1)))
 
 # Select takes the next demo that fits; in between the other buttons move the camera.
 script() {
@@ -34,7 +32,7 @@ script() {
 }
 
 every_demo_is_the_simulators() {
-    script >"$dir/keys" && frames=$frames_of_all
+    demos=$("$B/pinhole-sim" --list | grep -c '^demo') && frames=$((each * (demos + 1))) && script >"$dir/keys" || return 1
     emulate demos --keys "$dir/keys" --log >"$dir/seen" 2>"$dir/log" || { tail -n 3 "$dir/log" && return 1; }
     "$B/pinhole-sim" --board "$board" --frames "$frames" --keys "$dir/keys" --crc >"$dir/expected" 2>/dev/null || return 1
     [ "$(wc -l <"$dir/seen")" = "$frames" ] && cmp "$dir/seen" "$dir/expected"
@@ -73,11 +71,12 @@ stack_stays_below_its_bound() { # the most that was used, measured; the deepest 
 }
 
 drops_are_logged() { # as the simulator counts them
-    local said counted
+    local said counted frames
+    frames=$(wc -l <"$dir/seen")
     said=$(sed -n 's/^frame [0-9]*,.*left out \([0-9]*\) triangles.*/\1/p' "$dir/log" | tr '\n' ' ')
-    counted=$("$B/pinhole-sim" --board "$board" --frames "$frames_of_all" --keys "$dir/keys" --stats 2>&1 >/dev/null |
+    counted=$("$B/pinhole-sim" --board "$board" --frames "$frames" --keys "$dir/keys" --stats 2>&1 >/dev/null |
         sed -n 's/^frame .*triangles in.* dropped \([0-9]*\); vertices dropped.*/\1/p' | tr '\n' ' ')
-    [ "${#said}" -gt "$frames_of_all" ] && [ "$said" = "$counted" ] && return
+    [ "${#said}" -gt "$frames" ] && [ "$said" = "$counted" ] && return
     echo "$said"
     echo "$counted"
     return 1
