@@ -23,8 +23,11 @@ if ! [[ $SHARE =~ ^[1-9][0-9]*/[1-9][0-9]*$ ]] || [ "${SHARE%/*}" -gt "${SHARE#*
     echo "$0: SHARE=$SHARE: K/N with K from 1 to N" >&2 && exit 2
 fi
 
-# Tests that are too slow for `check`, and under sanitizers for `test`, by the processor time that they took.
-slow_units='test_panel_diff test_ft232h test_runner test_quality'
+# Unit tests that are too slow for `check`, and those that are too slow under sanitizers for `test` (they run so in `long`), by
+# the processor time that they took.
+slow_units='test_panel_diff test_ft232h test_runner test_quality test_depth_slopes test_depth_planes'
+slow_sanitized="$slow_units test_cores test_fisheye test_wire test_depth_mpfr test_levels test_watertight"
+slow_sanitized+=' test_depth test_demos test_ahead test_depth_mesa test_fx_math test_shadow test_panel_tiles'
 unit_tests='tests/*/test_*.c tests/*/*/test_*.c'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.
@@ -121,7 +124,7 @@ still_running() {
 export -f job prepare count lacks
 export sanitize
 
-is_slow() { [[ " $slow_units " = *" $(basename "$1" .c) "* ]]; }
+is_one_of() { [[ " $2 " = *" $(basename "$1" .c) "* ]]; }
 
 # One line a job, the words of job()'s arguments.
 list() {
@@ -129,16 +132,16 @@ list() {
     case $mode in
     check)
         for f in $quick_scripts; do f=$(echo tests/*/"$f".sh) && [ ! -e "$f" ] || echo "$(basename "$f" .sh) - $f"; done
-        for f in $unit_tests; do is_slow "$f" || echo "$(basename "$f" .c) $B $f"; done
+        for f in $unit_tests; do is_one_of "$f" "$slow_units" || echo "$(basename "$f" .c) $B $f"; done
         ;;
     test)
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
         for f in tests/*/test_*.sh; do echo "$(basename "$f" .sh) - $f"; done
         for f in $unit_tests; do echo "$(basename "$f" .c) $B $f"; done
-        for f in $unit_tests; do is_slow "$f" || echo "$(basename "$f" .c).asan $B/asan $f"; done
+        for f in $unit_tests; do is_one_of "$f" "$slow_sanitized" || echo "$(basename "$f" .c).asan $B/asan $f"; done
         ;;
     long)
-        for f in $unit_tests; do ! is_slow "$f" || echo "$(basename "$f" .c).asan $B/asan $f"; done
+        for f in $unit_tests; do ! is_one_of "$f" "$slow_sanitized" || echo "$(basename "$f" .c).asan $B/asan $f"; done
         for f in tests/*/long_*.sh; do echo "$(basename "$f" .sh) - $f"; done
         for f in tests/*/exhaustive_*.c; do echo "$(basename "$f" .c) $B $f"; done
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).long.asan $B/asan $f long"; done
