@@ -422,6 +422,55 @@ static void there_are_no_seams(void **state)
     scene_close(&s);
 }
 
+/* ---- a wall that the picture's guard cuts ------------------------------------------------------------------ */
+
+/* A white wall before the eye, 40 wide, full in the light at its left end and dark at its right one. */
+static void a_cut_triangle_keeps_the_light_of_its_corners(void **state)
+{
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const struct ph_part part = {0, 2, 0};
+    static const struct fx_vec3 positions[4] = {{-FX_INT(20), -FX_INT(20), -FX_ONE},
+                                                {FX_INT(20), -FX_INT(20), -FX_ONE},
+                                                {FX_INT(20), FX_INT(20), -FX_ONE},
+                                                {-FX_INT(20), FX_INT(20), -FX_ONE}};
+    static const int16_t normals[4][3] = {{0, 0, 16384}, {16384, 0, 0}, {16384, 0, 0}, {0, 0, 16384}};
+    static const fx_t uvs[4][2];
+    static const struct ph_scene_light ahead = {.count = 1,
+                                                .lights = {{.intensity = FX_ONE, .to_light_q30 = {0, 0, 1 << 30}}}};
+    static struct scene s;
+    struct ph_projection projection;
+    struct rig rig;
+    (void)state;
+    ref_lens_projection(&lens, &projection);
+    for (uint8_t filter = PH_FILTER_NEAREST; filter <= PH_FILTER_MIPMAP; filter++) {
+        scene_open(&s, PH_SHADE_TEXTURE_GOURAUD, filter);
+        for (int i = 0; i < TEXELS; i++) {
+            set_texel(&s, i, 255, 255, 255);
+        }
+        const struct ph_mesh wall = {.positions = positions,
+                                     .normals = normals,
+                                     .uvs = uvs,
+                                     .triangles = triangles,
+                                     .parts = &part,
+                                     .materials = &s.material,
+                                     .vertex_count = 4,
+                                     .triangle_count = 2,
+                                     .part_count = 1};
+        rig_open(&rig, WIDTH, HEIGHT, 16, PH_DEPTH_FLOAT16, 4, 64);
+        assert_int_equal(ph_frame_begin(&rig.r, &ph_xform_identity, &projection, &ahead, 0), PH_OK);
+        assert_int_equal(ph_draw_mesh(&rig.r, &wall, &ph_xform_identity), PH_OK);
+        assert_true(rig_finish(&rig));
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            double rgb[3];
+            rig_rgb(&rig, i % WIDTH, i / WIDTH, rgb);
+            const double x = (i % WIDTH + .5 - WIDTH / 2.) / (HEIGHT / 2.) * tan(3.14159265 / 6);
+            assert_true(fabs(rgb[0] * 31 / 255 - 31 * (20 - x) / 40) < 1);
+        }
+        rig_close(&rig);
+        scene_close(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -433,6 +482,7 @@ int main(void)
         cmocka_unit_test(a_white_texture_is_as_bright_as_the_colour),
         cmocka_unit_test(maps_still_a_receding_checkerboard),
         cmocka_unit_test(there_are_no_seams),
+        cmocka_unit_test(a_cut_triangle_keeps_the_light_of_its_corners),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

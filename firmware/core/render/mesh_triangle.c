@@ -63,8 +63,7 @@ PH_TIER(few) static PH_NOINLINE void draw_clipped(const struct ph_part_context *
     }
     if (c->coloured) {
         take_colours(in, ph_lit_corners_of(c->material) == PH_FIRST_CORNER);
-    } else if (ph_lit_corners_of(c->material) != PH_EACH_CORNER ||
-               ph_takes_texture(c->material)) { /* one light for the whole triangle */
+    } else if (ph_lit_corners_of(c->material) != PH_EACH_CORNER) { /* one light for the whole triangle */
         in[1].light = in[2].light = in[0].light;
     }
     ph_draw_clipped(c->r, c->material, c->draw.kind, in);
