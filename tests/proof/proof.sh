@@ -57,7 +57,7 @@ fx_text.to_text          |                       | 24 | no overflow, fits FX_TEX
 fx_text.to_text_rounded |                     | 24 | no overflow
 fx_text.from_text        |                       | 18 | no overflow, ends within the text
 clip.distance            |                       |  1 | no overflow, below 2^46
-clip.between             |                       |  1 | no overflow
+clip.between             |                       |  8 | no overflow
 clip.crossing            |                       | 18 | no overflow, at most 15 halvings
 clip.clip_plane          | crossing,distance     | 10 | at most PH_CLIP_MAX corners
 clip.clip                | crossing,distance=any_distance,clip_plane=any_corners | 10 | no index outside

@@ -36,11 +36,11 @@ PH_TIER(few) static int32_t lerp_q30(int32_t a, int32_t b, int32_t t_q30)
 PH_TIER(few)
 struct ph_clip_vertex ph_clip_between(const struct ph_clip_vertex *a, const struct ph_clip_vertex *b, int32_t t_q30)
 {
-    return (struct ph_clip_vertex){
-        lerp_q30(a->x, b->x, t_q30),         lerp_q30(a->y, b->y, t_q30),
-        lerp_q30(a->w, b->w, t_q30),         lerp_q30(a->z, b->z, t_q30),
-        lerp_q30(a->light, b->light, t_q30), {lerp_q30(a->uv[0], b->uv[0], t_q30), lerp_q30(a->uv[1], b->uv[1], t_q30)},
-    };
+    struct ph_clip_vertex v;
+    for (int i = 0; i < PH_CLIP_VALUES; i++) {
+        v.value[i] = lerp_q30(a->value[i], b->value[i], t_q30);
+    }
+    return v;
 }
 
 /* Where the edge from inside (distance from >= 0) to outside (to < 0) meets the plane. */

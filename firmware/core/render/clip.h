@@ -5,10 +5,17 @@
 #include "render.h"
 
 /* A corner in clip coordinates. Its place on the screen is centre + 2^focal_log2 (x, y) / w. */
+#define PH_CLIP_VALUES 7
 struct ph_clip_vertex {
-    int32_t x, y, w, z; /* Q16.16. z is the distance along the view; w = z, or 1 if orthographic; fisheye: fisheye.h */
-    int32_t light;      /* 0 .. 65535 */
-    fx_t uv[2];
+    union {
+        struct {
+            int32_t x, y, w, z; /* Q16.16. z is the distance along the view; w = z, or 1 if orthographic; fisheye: see
+                                   fisheye.h */
+            int32_t light;      /* 0 .. 65535 */
+            fx_t uv[2];
+        };
+        int32_t value[PH_CLIP_VALUES]; /* all of them */
+    };
 };
 
 /* a + (b - a) t of every member, t in Q2.30; each is rounded once. */

@@ -64,10 +64,12 @@ int ph_fisheye_clip(const struct ph_lens *lens, const struct ph_ray *const v[3],
     const int up = 3 - least;
     for (int i = 0; i < n; i++) {
         const int32_t distance = distance_of(v[i]->inverse, up), *const d = v[i]->direction;
-        const struct ph_clip_vertex scaled_to = {along(d[0], distance), along(d[1], distance),
-                                                 along(d[2], distance), distance,
-                                                 v[i]->light,           {v[i]->uv[0], v[i]->uv[1]}};
-        in[i] = scaled_to;
+        in[i] = (struct ph_clip_vertex){.x = along(d[0], distance),
+                                        .y = along(d[1], distance),
+                                        .w = along(d[2], distance),
+                                        .z = distance,
+                                        .light = v[i]->light,
+                                        .uv = {v[i]->uv[0], v[i]->uv[1]}};
     }
     const struct ph_lens spheres = {
         .kind = PH_FISHEYE, .near_z = scaled(lens->near_z, up), .far_z = scaled(lens->far_z, up)};
