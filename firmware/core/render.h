@@ -159,11 +159,17 @@ struct ph_mesh {
     const uint16_t *colours;
 };
 
-enum ph_light_kind { PH_LIGHT_DIRECTIONAL, PH_LIGHT_POINT, PH_LIGHT_SPOT };
+/* A kind of light: these names are addresses, and a program links what lights by those that its lights name. */
+struct ph_light_kind;
+extern const struct ph_light_kind ph_light_point, ph_light_spot;
+
+#define PH_LIGHT_DIRECTIONAL ((const struct ph_light_kind *)NULL)
+#define PH_LIGHT_POINT       (&ph_light_point)
+#define PH_LIGHT_SPOT        (&ph_light_spot)
 
 struct ph_light {
-    uint8_t kind;                /* enum ph_light_kind */
-    fx_t intensity;              /* 0 .. 4 */
+    const struct ph_light_kind *kind; /* PH_LIGHT_... */
+    fx_t intensity;                   /* 0 .. 4 */
     struct fx_vec3 to_light_q30; /* directional: unit vector towards the light, world space, Q2.30; spot: against its
                                     axis, from where it points to back to the light */
     struct fx_vec3 position;     /* point, spot: world space, Q16.16 */
@@ -384,6 +390,7 @@ struct ph_list {
 };
 
 struct ph_lines;
+struct ph_fogging;
 
 /* The state of one picture. Callers read stats; all other fields are private. Between ph_frame_bands and the last band
  * it must not be moved. */
@@ -404,8 +411,8 @@ struct ph_renderer {
     uint8_t samples_log2; /* 1 with samples, else 0: log2 of samples a pixel each way */
     bool is_shown;        /* config.shown holds what the display shows */
     void (*after)(struct ph_renderer *r, const struct ph_band *band); /* draws what comes after the opaque; or NULL */
-    uint32_t rows_place, rows; /* rows of pixels that blended triangles are drawn into */
-    void (*fog)(void *share);  /* fogs the rows of a struct ph_share; or NULL */
+    uint32_t rows_place, rows;    /* rows of pixels that blended triangles are drawn into */
+    const struct ph_fogging *fog; /* fogs bands; or NULL */
     struct ph_fog fog_of;
     const struct ph_lines *lines; /* sets up lines, if there are any: see line.h */
     uint32_t fog_codes[32];       /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */

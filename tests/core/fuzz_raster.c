@@ -288,7 +288,8 @@ static struct ph_projection any_projection(void)
 
 static struct ph_light any_light(const struct content *c)
 {
-    struct ph_light light = {.kind = (uint8_t)below(3), .intensity = (fx_t)below(4 * FX_ONE + 1)};
+    static const struct ph_light_kind *const kinds[3] = {PH_LIGHT_DIRECTIONAL, PH_LIGHT_POINT, PH_LIGHT_SPOT};
+    struct ph_light light = {.kind = kinds[below(3)], .intensity = (fx_t)below(4 * FX_ONE + 1)};
     struct fx_vec3 towards = {within(FX_ONE), within(FX_ONE), within(FX_ONE)};
     fx_vec3_direction_q30(towards, &light.to_light_q30);
     light.position = below(2) ? ph_xform_point(&c->to_world, c->positions[below(VERTICES)]) : any_point(FX_ONE);

@@ -68,8 +68,9 @@ a filter without its lower line          | kernels/texel_mix.h | s/ + down \* fv
 a map two levels too small               | render/texel_map.h | s/17 - fx_clz32/19 - fx_clz32/                      | test_texture_light
 texture slope left out                   | render/tile_surface.c | s/way->step = .*/way->step = 0;/                      | test_texture
 ambient light lost                       | render/light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
-attenuation lost                         | render/light.c   | s/(int32_t)(reciprocal >> (32 - shift))/16384/       | test_light
-highlight to another power               | render/light.c   | s/k = local->shininess_log2; k > 0/k = local->shininess_log2; k > 1/ | test_light
+attenuation lost                         | render/light_point.c | s/(int32_t)(reciprocal >> (32 - shift))/16384/       | test_light
+a spot without its cone                  | render/light_point.c | s/l->kind->in_cone != NULL/false/                    | test_light
+highlight to another power               | render/light.h   | s/k = local->shininess_log2; k > 0/k = local->shininess_log2; k > 1/ | test_light
 light of another part kept               | render/mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
 depth bias ignored                       | render/planes.h  | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
 steep triangles flattened                | render/setup.c   | s/ph_set_exact(r, t->material, .*//                    | test_depth_slopes

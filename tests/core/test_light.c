@@ -203,11 +203,11 @@ static double case_error(struct rig *rig, struct lighting *light, double scale)
                            : fabs(entry - exact_entry(light, world_normal, position, viewer));
 }
 
-static struct ph_light any_light(int kind)
+static struct ph_light any_light(const struct ph_light_kind *kind)
 {
     vec towards;
     ref_direction(towards);
-    struct ph_light light = {.kind = (uint8_t)kind, .intensity = ref_q16(ref_uniform(.1, 1))};
+    struct ph_light light = {.kind = kind, .intensity = ref_q16(ref_uniform(.1, 1))};
     light.to_light_q30 = (struct fx_vec3){ref_q30(towards[0]), ref_q30(towards[1]), ref_q30(towards[2])};
     light.position =
         (struct fx_vec3){ref_q16(ref_uniform(-9, 9)), ref_q16(ref_uniform(-9, 9)), ref_q16(ref_uniform(-9, 9))};
@@ -218,7 +218,8 @@ static struct ph_light any_light(int kind)
 }
 
 /* Largest error of many random cases with `lights` lights of one kind. */
-static double worst_of(int kind, uint32_t lights, double specular, uint8_t shininess_log2, double scale, bool coloured)
+static double worst_of(const struct ph_light_kind *kind, uint32_t lights, double specular, uint8_t shininess_log2,
+                       double scale, bool coloured)
 {
     struct rig rig;
     double worst = 0;
@@ -247,7 +248,8 @@ static double worst_of(int kind, uint32_t lights, double specular, uint8_t shini
     return worst;
 }
 
-static double worst_error(int kind, uint32_t lights, double specular, uint8_t shininess_log2, double scale)
+static double worst_error(const struct ph_light_kind *kind, uint32_t lights, double specular, uint8_t shininess_log2,
+                          double scale)
 {
     return worst_of(kind, lights, specular, shininess_log2, scale, false);
 }

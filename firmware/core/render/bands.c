@@ -12,6 +12,7 @@
 #include "coarse.h"
 #include "cores.h"
 #include "feed.h"
+#include "fog.h"
 #include "kernels.h"
 #include "raster.h"
 #include "samples.h"
@@ -180,7 +181,7 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
             rows.coarse = NULL; /* blended triangles are drawn into rows of their own */
             r->after(r, &rows);
         } else if (r->fog != NULL) {
-            ph_draw_in_parts(r, &rows, (y1 - y0) / 2, r->fog);
+            r->fog->fog_band(r, &rows);
         }
     } else {
         ph_clear_depth(&rows); /* a blur reads it; nobody reads a sample */

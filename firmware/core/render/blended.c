@@ -286,7 +286,7 @@ static void draw_share(void *argument) /* called as run */
     o.room[0] = rows * ph_row_bytes(r) / (2 + deep) & ~1u; /* even, too */
     draw_kind(&o, false);
     if (r->fog != NULL) {
-        r->fog(s);
+        r->fog->fog_rows(r, &s->band);
     }
     draw_kind(&o, true);
     s->fragments = o.fragments;

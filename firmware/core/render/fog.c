@@ -53,16 +53,14 @@ void ph_fog_find(struct ph_fog_here *fog, uint32_t code)
 }
 
 /* Fogs the pixels that are not empty. */
-static void fog_share(void *argument) /* called as run */
+static void fog_rows(const struct ph_renderer *r, const struct ph_band *band)
 {
-    const struct ph_share *const s = argument;
-    const struct ph_band *const band = &s->band;
     const uint32_t *const depth24 = band->depth24 ? band->depth : NULL;
     const uint16_t *const depth16 = band->depth;
     const uint32_t n = (uint32_t)(band->y1 - band->y0) * (uint32_t)band->width;
     uint16_t *const pixels = band->pixels;
     struct ph_fog_here fog;
-    ph_fog_start(&fog, s->r, s->r->fog_of.colour);
+    ph_fog_start(&fog, r, r->fog_of.colour);
     for (uint32_t i = 0; i < n; i++) {
         /* NOLINTNEXTLINE(clang-analyzer-core.NullDereference): a band has its depth */
         const uint32_t code = depth24 != NULL ? depth24[i] : depth16[i];
@@ -75,6 +73,19 @@ static void fog_share(void *argument) /* called as run */
         }
     }
 }
+
+static void fog_share(void *argument) /* called as run */
+{
+    const struct ph_share *const s = argument;
+    fog_rows(s->r, &s->band);
+}
+
+static void fog_band(struct ph_renderer *r, const struct ph_band *band)
+{
+    ph_draw_in_parts(r, band, (band->y1 - band->y0) / 2, fog_share);
+}
+
+static const struct ph_fogging fogging = {.fog_band = fog_band, .fog_rows = fog_rows};
 
 PH_TIER(seldom) int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog)
 {
@@ -89,6 +100,6 @@ PH_TIER(seldom) int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog
         r->fog_codes[i] = w <= r->lens.near_z ? UINT32_MAX : w > r->lens.far_z ? 0 : code_at(r, w);
     }
     r->fog_of = *fog;
-    r->fog = fog_share;
+    r->fog = &fogging;
     return PH_OK;
 }

@@ -5,6 +5,12 @@
 #include "blend.h"
 #include "render.h"
 
+/* What fogs. Only ph_frame_fog names it, so the linker leaves it out of a program without fog. */
+struct ph_fogging {
+    void (*fog_band)(struct ph_renderer *r, const struct ph_band *band);       /* on both cores */
+    void (*fog_rows)(const struct ph_renderer *r, const struct ph_band *band); /* the rows of one core's share */
+};
+
 /* The fog at one depth code: what it leaves of a colour, and what it adds. It is kept, because neighbours mostly have
  * the same code. Colours are spread, see blend.h. */
 struct ph_fog_here {

@@ -1,17 +1,12 @@
 /*
  * Light of a vertex: ambient + diffuse (Lambert) + specular (Blinn 1977, viewer at infinity), as one white intensity.
  * Lights are brought into the coordinates of the mesh, so that neither normals nor positions have to be rotated.
- * Products have 16 bits, Q2.14. See light.h.
+ * Products have 16 bits, Q2.14. Lights with a position are in light_point.c. See light.h.
  */
 /* Kits on armv6m: -O2. */
 #include "light.h"
 
 #include "vertex.h"
-
-static inline __attribute__((always_inline)) int32_t dot_q14(const int16_t a[3], const int16_t b[3])
-{
-    return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) >> 14;
-}
 
 /* Q16.16, clamped to 0 .. most, as Q2.14. */
 static int32_t clamp_q14(fx_t v, fx_t most)
@@ -43,33 +38,8 @@ static void unit_q14(const int32_t in[3], int16_t out[3])
     }
 }
 
-/* A vector's square and its exponent: the vector is sqrt(square) 2^(bits - 14) long. */
-struct length {
-    uint32_t square; /* 2^26 .. 3 2^28, or 0 */
-    int bits;        /* of the vector's largest component */
-};
-
-/* The unit vector of a vector in Q1.14, 6.2e-5 off: unit_q14 without its division, for work at each vertex. */
-static struct length quick_unit_q14(const int32_t in[3], int16_t out[3])
-{
-    const uint32_t largest = fx_magnitude(in[0]) | fx_magnitude(in[1]) | fx_magnitude(in[2]);
-    const int bits = 32 - fx_clz32(largest); /* scaled to components of 14 bits */
-    int32_t v[3];
-    uint32_t sum = 0;
-    for (int i = 0; i < 3; i++) {
-        v[i] = bits > 14 ? in[i] >> (bits - 14) : in[i] * (1 << (14 - bits));
-        sum += (uint32_t)(v[i] * v[i]);
-    }
-    const int up = sum >> 28 != 0 ? 1 : 2;
-    const int32_t inverse = sum != 0 ? (int32_t)fx_rsqrt16(sum << 2 * up) : 0; /* 2^31 / sqrt */
-    for (int i = 0; i < 3; i++) {
-        out[i] = (int16_t)((v[i] * inverse) >> (17 - up));
-    }
-    return (struct length){sum, bits};
-}
-
-/* A direction of the world, of any length, in the mesh's coordinates: the transposed rotation, then length one. */
-static void to_local(const struct ph_xform *to_world, struct fx_vec3 d, int16_t out[3])
+/* The transposed rotation, then length one. */
+void ph_light_to_local(const struct ph_xform *to_world, struct fx_vec3 d, int16_t out[3])
 {
     const int32_t in[3] = {d.x >> 2, d.y >> 2, d.z >> 2};
     int32_t local[3];
@@ -88,58 +58,18 @@ static void half_of(const int16_t a[3], const int16_t b[3], int16_t out[3])
     unit_q14(sum, out);
 }
 
-/* Square of the transform's uniform scale. */
-static fx_t scale_square(const struct ph_xform *to_world)
-{
-    const int32_t *row = to_world->r[0];
-    const int64_t square = (fx_mul_wide(row[0], row[0]) >> 2) + (fx_mul_wide(row[1], row[1]) >> 2) +
-                           (fx_mul_wide(row[2], row[2]) >> 2); /* Q58 */
-    return (fx_t)(square >> 42);
-}
-
-/* A position of the world in the mesh's coordinates, for a rotation with a uniform scale s: r^T (p - t) / s^2. */
-static struct fx_vec3 position_to_local(const struct ph_xform *to_world, struct fx_vec3 p, fx_t scale)
-{
-    const struct fx_vec3 from = fx_vec3_sub_sat(p, to_world->t);
-    fx_t local[3];
-    for (int j = 0; j < 3; j++) {
-        const int64_t sum = (fx_mul_wide(to_world->r[0][j], from.x) >> 2) +
-                            (fx_mul_wide(to_world->r[1][j], from.y) >> 2) +
-                            (fx_mul_wide(to_world->r[2][j], from.z) >> 2);
-        const int64_t rotated = sum >> 28;
-        local[j] = fx_div_sat(fx_sat64(rotated), scale);
-    }
-    return (struct fx_vec3){local[0], local[1], local[2]};
-}
-
-static fx_t clamp_cosine(fx_t v)
-{
-    return v < -FX_ONE ? -FX_ONE : v > FX_ONE ? FX_ONE : v;
-}
-
-/* A spot's cone and axis. */
-static void prepare_spot(struct ph_local_light *l, const struct ph_light *light, const struct ph_xform *to_world)
-{
-    const fx_t outer = clamp_cosine(light->cos_outer);
-    const int32_t width = (clamp_cosine(light->cos_inner) - outer) >> 2;
-    to_local(to_world, light->to_light_q30, l->to_light);
-    l->spot = true;
-    l->cos_outer = outer >> 2;
-    l->cos_width = width > 0 ? width : 1;
-}
-
 static void prepare_colour(struct ph_local_light *l, const struct ph_light *light, bool coloured)
 {
     const fx_t share[3] = {light->red, light->green, light->blue};
     const bool white = (share[0] | share[1] | share[2]) == 0;
-    int32_t sum = 0;
+    uint32_t sum = 0;
     for (int k = 0; k < 3; k++) {
         l->colour[k] = (int16_t)(white ? 16384 : clamp_q14(share[k], FX_ONE));
-        sum += l->colour[k];
+        sum += (uint32_t)l->colour[k];
     }
     if (!coloured && !white) {
-        l->diffuse = l->diffuse * (sum / 3) >> 14;
-        l->specular = l->specular * (sum / 3) >> 14;
+        l->diffuse = l->diffuse * (int32_t)(sum / 3) >> 14;
+        l->specular = l->specular * (int32_t)(sum / 3) >> 14;
     }
 }
 
@@ -152,15 +82,6 @@ bool ph_light_has_colour(const struct ph_scene_light *light)
     return any != 0;
 }
 
-/* How a light falls off that has half its strength at `reach`: 1 / reach^2. */
-static void set_fall(struct ph_local_light *l, fx_t reach)
-{
-    int shift = 0;
-    const uint32_t over = reach > 0 ? fx_rcp_norm((uint32_t)reach, &shift) : 0; /* 2^(62 - shift) / reach */
-    l->fall = fx_mulhi_u32(over, over);
-    l->fall_down = 72 - 2 * shift;
-}
-
 void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r, const struct ph_xform *to_world,
                       const struct ph_material *material, bool coloured)
 {
@@ -169,64 +90,25 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
     local->ambient = (clamp_q14(scene->ambient, FX_ONE) * clamp_q14(material->ambient, FX_ONE)) >> 14;
     local->shininess_log2 = material->shininess_log2 < 7 ? material->shininess_log2 : 7;
     local->count = scene->count;
-    local->scale = (PH_LIGHT_SPAN << 14) / (16384 + specular);
-    local->limit = (PH_LIGHT_SPAN << 14) / local->scale;
+    local->scale = (int32_t)(((uint32_t)PH_LIGHT_SPAN << 14) / (16384 + (uint32_t)specular));
+    local->limit = (int32_t)(((uint32_t)PH_LIGHT_SPAN << 14) / (uint32_t)local->scale);
     const struct fx_vec3 viewer = {r->view.r[2][0], r->view.r[2][1], r->view.r[2][2]};
-    to_local(to_world, viewer, local->to_viewer);
+    ph_light_to_local(to_world, viewer, local->to_viewer);
     for (uint32_t i = 0; i < scene->count; i++) {
         const struct ph_light *light = &scene->lights[i];
         struct ph_local_light *l = &local->light[i];
-        l->point = light->kind != PH_LIGHT_DIRECTIONAL;
-        l->spot = false;
+        l->kind = light->kind;
         l->diffuse = (diffuse * clamp_q14(light->intensity, 4 * FX_ONE)) >> 14;
         l->specular = (specular * clamp_q14(light->intensity, 4 * FX_ONE)) >> 14;
         prepare_colour(l, light, coloured);
-        if (l->point) {
-            const fx_t scale = scale_square(to_world);
-            l->position = position_to_local(to_world, light->position, scale);
-            set_fall(l, fx_div_sat(light->reach, fx_sqrt(scale)));
-            if (light->kind == PH_LIGHT_SPOT) {
-                prepare_spot(l, light, to_world);
-            }
+        if (l->kind != NULL) {
+            l->kind->place_light(l, light, to_world);
         } else {
-            to_local(to_world, light->to_light_q30, l->to_light);
+            ph_light_to_local(to_world, light->to_light_q30, l->to_light);
             half_of(l->to_light, local->to_viewer, l->half);
         }
     }
-    local->simple = scene->count == 1 && !local->light[0].point && local->light[0].specular <= 0;
-}
-
-/* 1 / (1 + (distance / reach)^2), Q2.14, without a root; 1 if the light does not fall off. */
-static int32_t attenuation(const struct ph_local_light *l, struct length distance)
-{
-    const uint32_t part = fx_mulhi_u32(distance.square << 2, l->fall), most = (uint32_t)1 << 30;
-    const int down = l->fall_down - 2 * distance.bits; /* (distance / reach)^2 is part 2^-down in Q16 */
-    const uint32_t square = l->fall == 0 || down > 31 ? 0 : down > 0 ? part >> down : most;
-    int shift;
-    const uint32_t reciprocal = fx_rcp_norm(FX_ONE + (square < most ? square : most), &shift);
-    return (int32_t)(reciprocal >> (32 - shift));
-}
-
-/* The share of a spot's intensity in that direction, Q1.14. */
-static int32_t in_cone(const struct ph_local_light *l, const int16_t to_light[3])
-{
-    const int32_t beyond = dot_q14(to_light, l->to_light) - l->cos_outer;
-    return beyond <= 0              ? 0
-           : beyond >= l->cos_width ? 16384
-                                    : (int32_t)(((uint32_t)beyond << 14) / (uint32_t)l->cos_width);
-}
-
-/* A highlight of intensity 1: n.h to the power of the shininess. */
-static inline int32_t shine_of(const struct ph_local_lights *local, int32_t n_h)
-{
-    if (n_h <= 0) {
-        return 0;
-    }
-    int32_t shine = n_h > 16384 ? 16384 : n_h;
-    for (uint32_t k = local->shininess_log2; k > 0; k--) {
-        shine = (shine * shine) >> 14;
-    }
-    return shine;
+    local->simple = scene->count == 1 && local->light[0].kind == NULL && local->light[0].specular <= 0;
 }
 
 /* What a directional light adds to a vertex, Q2.14. */
@@ -235,37 +117,12 @@ static inline __attribute__((always_inline)) bool add_directional(const struct p
                                                                   const int16_t normal[3], int32_t *diffuse,
                                                                   int32_t *specular)
 {
-    const int32_t n_l = dot_q14(normal, l->to_light);
+    const int32_t n_l = ph_dot_q14(normal, l->to_light);
     if (n_l <= 0) {
         return false;
     }
     *diffuse = (n_l > 16384 ? 16384 : n_l) * l->diffuse >> 14;
-    *specular = l->specular > 0 ? shine_of(local, dot_q14(normal, l->half)) * l->specular >> 14 : 0;
-    return true;
-}
-
-/* What a point light or a spot adds to a vertex, Q2.14. */
-static PH_NOINLINE bool add_point(const struct ph_local_lights *local, const struct ph_local_light *l,
-                                  const int16_t normal[3], const struct fx_vec3 *position, int32_t *diffuse,
-                                  int32_t *specular)
-{
-    const int32_t in[3] = {(l->position.x >> 1) - (position->x >> 1), (l->position.y >> 1) - (position->y >> 1),
-                           (l->position.z >> 1) - (position->z >> 1)};
-    int16_t to_light[3], half[3];
-    const struct length distance = quick_unit_q14(in, to_light);
-    const int32_t n_l = dot_q14(normal, to_light);
-    if (n_l <= 0) {
-        return false;
-    }
-    const int32_t near = attenuation(l, distance), reaches = l->spot ? near * in_cone(l, to_light) >> 14 : near;
-    *diffuse = (((n_l > 16384 ? 16384 : n_l) * reaches) >> 14) * l->diffuse >> 14;
-    *specular = 0;
-    if (l->specular > 0) {
-        const int32_t sum[3] = {to_light[0] + local->to_viewer[0], to_light[1] + local->to_viewer[1],
-                                to_light[2] + local->to_viewer[2]};
-        quick_unit_q14(sum, half);
-        *specular = ((shine_of(local, dot_q14(normal, half)) * reaches) >> 14) * l->specular >> 14;
-    }
+    *specular = l->specular > 0 ? ph_shine_of(local, ph_dot_q14(normal, l->half)) * l->specular >> 14 : 0;
     return true;
 }
 
@@ -275,8 +132,8 @@ static inline __attribute__((always_inline)) bool add_of(const struct ph_local_l
                                                          const struct fx_vec3 *position, int32_t *diffuse,
                                                          int32_t *specular)
 {
-    return l->point ? add_point(local, l, normal, position, diffuse, specular)
-                    : add_directional(local, l, normal, diffuse, specular);
+    return l->kind != NULL ? l->kind->add_light(local, l, normal, position, diffuse, specular)
+                           : add_directional(local, l, normal, diffuse, specular);
 }
 
 /* The light of a vertex under any lights. */
@@ -336,7 +193,7 @@ uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t norm
         return any_light(local, normal, position);
     }
     const struct ph_local_light *const l = &local->light[0];
-    const int32_t n_l = dot_q14(normal, l->to_light);
+    const int32_t n_l = ph_dot_q14(normal, l->to_light);
     const int32_t shone = n_l <= 0 ? 0 : ((n_l > 16384 ? 16384 : n_l) * l->diffuse) >> 14;
     const int32_t total = local->ambient + shone;
     return (uint16_t)(PH_LIGHT_ZERO + (((uint32_t)(total > 16384 ? 16384 : total) * (uint32_t)local->scale) >> 14));
