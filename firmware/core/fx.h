@@ -168,6 +168,19 @@ static inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
     return FX_DIVIDES_64 ? (uint32_t)(((uint64_t)1 << 62) / d) : fx_rcp_newton(d);
 }
 
+/* fx_rcp_norm as a function, for callers that run rarely. */
+uint32_t fx_rcp_far(uint32_t w, int *shift);
+
+/* floor(n / d), 0 < d < 2^63, bit by bit: for fx_quotient_u64 only. */
+uint64_t fx_quotient_bits(uint64_t n, uint64_t d);
+
+/* floor(n / d) of integers, 0 < d < 2^63. On a CPU without a division the compiler's library would take 1 KB for it. */
+static inline uint64_t fx_quotient_u64(uint64_t n, uint64_t d)
+{
+    /* NOLINTNEXTLINE(clang-analyzer-core.DivideZero): d > 0 */
+    return FX_DIVIDES_32 ? n / d : fx_quotient_bits(n, d);
+}
+
 #define FX_TEXT_SIZE 24 /* the longest text is "-32767.9999847412109375", with its final zero */
 
 /* Exact decimal text of a without trailing zeros, the same in every locale. Returns its length. */

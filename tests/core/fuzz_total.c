@@ -257,6 +257,11 @@ static void binary(const int32_t *a)
     check(root * root <= (uint64_t)wide && (uint64_t)wide - root * root <= 2 * root, "fx_sqrt_u64 is not the floor");
     check(fx_sat64(wide) == (wide > INT32_MAX ? INT32_MAX : wide < INT32_MIN ? INT32_MIN : wide), "fx_sat64");
     check(fx_mul_wide(a[0], a[1]) == fx_mul_far(a[0], a[1]), "fx_mul_wide");
+    const uint64_t dividend = (uint64_t)wide, divisor = (uint64_t)fx_magnitude(a[0]) << (a[1] & 31) | 1;
+    check(fx_quotient_u64(dividend, divisor) == fx_quotient_bits(dividend, divisor), "fx_quotient_u64");
+    int zeros[2];
+    check(fx_rcp_far((uint32_t)a[0], &zeros[0]) == fx_rcp_norm((uint32_t)a[0], &zeros[1]) && zeros[0] == zeros[1],
+          "fx_rcp_far");
     char text[FX_TEXT_SIZE];
     check(fx_to_text_rounded(a[0], a[1], text) == (int)strlen(text), "fx_to_text_rounded's length");
 }

@@ -26,7 +26,7 @@ an edge that depends on its triangle     | render/setup.c   | s/_edge(.*&\(.*lon
 a slope that depends on its triangle     | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~15;/         | test_watertight
 an edge walked from far above the picture | render/setup.c  | s/(slope >> 10)/(slope >> 10 \& ~0xfffff)/            | test_watertight
 a crossing that depends on its direction | render/clip.c    | s/crossing(lens, b, a, db, da/crossing(lens, a, b, da, db/ | test_watertight
-crossings to 10 bits                     | render/clip.c    | s/from << 30) \/ whole)/& \& ~0xfffff/               | test_mesa
+crossings to 10 bits                     | render/clip.c    | s/(rest >= whole))/& \& ~0xfffff/                    | test_mesa
 near plane too near                      | render/clip.c    | s/- lens->near_z;/- lens->near_z \/ 2;/              | test_watertight
 no far plane                             | render/clip.c    | s/lens->far_z - v->z;/lens->far_z;/                  | test_raster
 depth gradients without guard bits       | render/planes.c  | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/; s/(uint32_t)depth.[xy] \* 256/& \& ~0x3ffu/ | test_quality

@@ -397,6 +397,24 @@ static void lerp_rounds_once(void **state)
     }
 }
 
+static void quotient_of_64_bits_is_that_of_the_machine(void **state)
+{
+    (void)state;
+    for (uint64_t i = 0; i < 64 * 7; i++) {
+        const uint64_t n = ((uint64_t)1 << i / 7) + i % 7 - 3;
+        for (uint64_t j = 0; j < 63 * 7; j++) {
+            const uint64_t d = ((uint64_t)1 << j / 7) + j % 7 - 3, multiple = d * (n >> j / 7);
+            if (d == 0 || d >> 63 != 0) {
+                continue;
+            }
+            assert_true(fx_quotient_bits(n, d) == n / d);
+            assert_true(fx_quotient_bits(multiple, d) == multiple / d);
+            assert_true(fx_quotient_bits(multiple - 1, d) == (multiple - 1) / d);
+            assert_true(fx_quotient_u64(n, d) == n / d);
+        }
+    }
+}
+
 static void normalised_reciprocal_is_the_exact_quotient(void **state)
 {
     (void)state;
@@ -496,6 +514,7 @@ int main(void)
         cmocka_unit_test(quarter_turns_in_q30_are_exact_and_quarters_mirror),
         cmocka_unit_test(degrees_become_the_nearest_turn32),
         cmocka_unit_test(lerp_rounds_once),
+        cmocka_unit_test(quotient_of_64_bits_is_that_of_the_machine),
         cmocka_unit_test(normalised_reciprocal_is_the_exact_quotient),
         cmocka_unit_test(normalised_reciprocal_roots_keep_their_bounds),
         cmocka_unit_test(short_reciprocal_is_the_exact_quotient_on_every_cpu),

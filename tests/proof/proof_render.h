@@ -17,6 +17,11 @@ static inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
     return u32_between((uint32_t)1 << 30, (uint32_t)1 << 31);
 }
 
+uint32_t fx_rcp_far(uint32_t w, int *shift)
+{
+    return fx_rcp_norm(w, shift);
+}
+
 static inline uint32_t fx_rcp16(uint32_t d)
 {
     CLAIM(d >= 1 << 15 && d < 1 << 16);

@@ -22,6 +22,11 @@ const uint16_t fx_rcp_table[256] = {
     2083, 2078, 2074, 2070, 2066, 2062, 2058, 2054, 2050,
 };
 
+PH_TIER(mesh) uint32_t fx_rcp_far(uint32_t w, int *shift)
+{
+    return fx_rcp_norm(w, shift);
+}
+
 /* Entry i is 2^23 / sqrt(m) in the middle of the interval of all m with the upper byte 64 + i. */
 PH_TIER(mesh)
 static const uint8_t rsqrt_table[192] = {

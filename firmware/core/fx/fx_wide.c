@@ -1,5 +1,6 @@
-/* fx_wide: the product of 64 bits. See fx_wide.h. */
+/* fx_wide: the product and the quotient of 64 bits. See fx_wide.h, fx.h. */
 #include "fx_wide.h"
+#include "tier.h"
 
 uint64_t fx_mulhi_u64(uint64_t a, uint64_t b)
 {
@@ -10,4 +11,21 @@ uint64_t fx_mulhi_u64(uint64_t a, uint64_t b)
     const uint64_t low = fx_mulhi_u32((uint32_t)a, (uint32_t)b);
     const uint64_t middle = low + (uint32_t)m1 + (uint32_t)m2;
     return fx_mul_wide_u(ah, bh) + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
+}
+
+/* Long division: d goes up to n (at most 63 times, because d > 0) and down again. */
+PH_TIER(seldom) uint64_t fx_quotient_bits(uint64_t n, uint64_t d)
+{
+    uint64_t bit = 1, q = 0;
+    while (d <= n >> 1) {
+        d <<= 1;
+        bit <<= 1;
+    }
+    for (; bit != 0; bit >>= 1, d >>= 1) {
+        if (n >= d) {
+            n -= d;
+            q += bit;
+        }
+    }
+    return q;
 }

@@ -178,18 +178,20 @@ struct ph_xform ph_view_look_at(struct fx_vec3 eye, struct fx_vec3 target, struc
     return view;
 }
 
-/* a 2^bits / b, b > 0, rounded to nearest; 0 if it does not fit an int32_t. */
-static int32_t ratio(int64_t a, int bits, int64_t b)
+/* a 2^bits / b, a >= 0, b > 0, rounded to nearest; 0 if it does not fit an int32_t. */
+static int32_t ratio(uint64_t a, int bits, uint64_t b)
 {
-    const int64_t q = (a * ((int64_t)1 << bits) + b / 2) / b;
+    const uint64_t q = fx_quotient_u64((a << bits) + b / 2, b);
     return q > INT32_MAX ? 0 : (int32_t)q;
 }
 
 /* (v1 + v0) / (v1 - v0) in Q16.16, rounded to nearest. The sum of two int32_t times 2^16 fits 64 bits. */
 static fx_t shift_of(const fx_t v[2])
 {
-    const int64_t sum = ((int64_t)v[1] + v[0]) * FX_ONE, size = (int64_t)v[1] - v[0];
-    return fx_sat64((sum >= 0 ? sum + size / 2 : sum - size / 2) / size);
+    const int64_t sum = ((int64_t)v[1] + v[0]) * FX_ONE;
+    const uint64_t size = (uint64_t)((int64_t)v[1] - v[0]), magnitude = (uint64_t)(sum >= 0 ? sum : -sum);
+    const int64_t shift = (int64_t)fx_quotient_u64(magnitude + size / 2, size);
+    return fx_sat64(sum >= 0 ? shift : -shift);
 }
 
 int ph_projection_perspective(struct ph_projection *p, fx_t fov_y_deg, fx_t aspect, fx_t near_z, fx_t far_z)
@@ -198,7 +200,7 @@ int ph_projection_perspective(struct ph_projection *p, fx_t fov_y_deg, fx_t aspe
         return PH_ERR_INVAL;
     }
     const int32_t scale_y = fx_cot_half_q20(fov_y_deg);
-    const int32_t scale_x = ratio(scale_y, 16, aspect);
+    const int32_t scale_x = ratio((uint32_t)scale_y, 16, (uint32_t)aspect);
     if (scale_x <= 0 || scale_y <= 0 || scale_y == INT32_MAX) {
         return PH_ERR_INVAL;
     }
@@ -213,8 +215,9 @@ static int set_volume(struct ph_projection *p, enum ph_projection_kind kind, con
     if (x[0] >= x[1] || y[0] >= y[1] || (kind == PH_PERSPECTIVE && near_z <= 0) || far_z <= near_z) {
         return PH_ERR_INVAL;
     }
-    const int64_t twice = 2 * (int64_t)(kind == PH_PERSPECTIVE ? near_z : FX_ONE);
-    const int32_t scale_x = ratio(twice, 20, (int64_t)x[1] - x[0]), scale_y = ratio(twice, 20, (int64_t)y[1] - y[0]);
+    const uint64_t twice = 2 * (uint64_t)(kind == PH_PERSPECTIVE ? near_z : FX_ONE);
+    const int32_t scale_x = ratio(twice, 20, (uint64_t)((int64_t)x[1] - x[0])),
+                  scale_y = ratio(twice, 20, (uint64_t)((int64_t)y[1] - y[0]));
     if (scale_x <= 0 || scale_y <= 0) {
         return PH_ERR_INVAL;
     }

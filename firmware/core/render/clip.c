@@ -43,6 +43,15 @@ struct ph_clip_vertex ph_clip_between(const struct ph_clip_vertex *a, const stru
     return v;
 }
 
+/* part / whole in Q2.30, rounded down; part <= whole, whole > 0. */
+PH_TIER(few) static int32_t share_q30(uint32_t part, uint32_t whole)
+{
+    int shift;
+    const uint32_t r = fx_rcp_far(whole, &shift), q = (uint32_t)(fx_mul_wide_u(part, r) >> (32 - shift));
+    const uint64_t rest = ((uint64_t)part << 30) - fx_mul_wide_u(q, whole); /* q is right, or one too small */
+    return (int32_t)(q + (rest >= whole));
+}
+
 /* Where the edge from inside (distance from >= 0) to outside (to < 0) meets the plane. */
 PH_TIER(few)
 static struct ph_clip_vertex crossing(const struct ph_lens *lens, const struct ph_clip_vertex *inside,
@@ -53,8 +62,7 @@ static struct ph_clip_vertex crossing(const struct ph_lens *lens, const struct p
         whole >>= 1;
         from >>= 1;
     }
-    const int32_t t = (int32_t)(((uint64_t)from << 30) / whole);
-    struct ph_clip_vertex v = ph_clip_between(inside, outside, t);
+    struct ph_clip_vertex v = ph_clip_between(inside, outside, share_q30((uint32_t)from, (uint32_t)whole));
     if (plane == PLANE_NEAR || plane == PLANE_FAR) { /* the point lies exactly on the plane, however it was rounded */
         v.z = plane == PLANE_NEAR ? lens->near_z : lens->far_z;
         v.w = lens->kind == PH_PERSPECTIVE ? v.z : v.w;

@@ -22,10 +22,10 @@ PH_TIER(seldom) static uint64_t divide(int64_t n, uint64_t area, bool is_short)
     const uint64_t m = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
     const uint32_t high = (uint32_t)(m >> 32);
     const int zeros = high != 0 ? fx_clz32(high) : 32, up = ph_min(zeros, 16);
-    const uint64_t whole = (m << up) / area;
+    const uint64_t whole = fx_quotient_u64(m << up, area);
     uint64_t quotient = whole << (16 - up);
     if (!is_short && up < 16) {
-        quotient += (((m << up) - whole * area) << (16 - up)) / area;
+        quotient += fx_quotient_u64(((m << up) - whole * area) << (16 - up), area);
     }
     return n < 0 ? 0u - quotient : quotient;
 }
@@ -99,7 +99,8 @@ PH_TIER(seldom) static void lift(struct ph_exact *e, struct ph_linear *linear, u
     const uint64_t low = load(e->low), size = load(e->size), high = low + size, room = high < top ? top - high : 0;
     const uint64_t gx = load(e->gx), gy = load(e->gy);
     const uint64_t right = (int64_t)gx < 0 ? 0u - gx : gx, below = (int64_t)gy < 0 ? 0u - gy : gy;
-    const uint64_t part = (right > below ? right : below) >> 4, by = part < size / slope ? part * slope : size;
+    const uint64_t part = (right > below ? right : below) >> 4,
+                   by = part < fx_quotient_u64(size, slope) ? part * slope : size;
     if (e->coding == PH_DEPTH_IS_LINEAR) {
         const uint32_t codes = (linear_code(e, linear, low + by) - linear_code(e, linear, low)) >> 16;
         const uint32_t most = (UINT32_MAX - linear_code(e, linear, high)) >> 16, bias = linear->bias;

@@ -101,7 +101,7 @@ static uint32_t stretched_near(const struct ph_projection *p, int *shift)
 {
     const uint32_t n = (uint32_t)p->near_z, f = (uint32_t)p->far_z, least = f / 8 + 1;
     const int up = fx_clz32(n);
-    const uint64_t scaled = fx_mul_wide_u(n << up, f) / (f - n > least ? f - n : least);
+    const uint64_t scaled = fx_quotient_u64(fx_mul_wide_u(n << up, f), f - n > least ? f - n : least);
     const int down = 32 - fx_clz32((uint32_t)(scaled >> 32)); /* at most 3 */
     *shift = up - down;
     return (uint32_t)(scaled >> down);

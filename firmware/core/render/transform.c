@@ -49,7 +49,7 @@ PH_TIER(mesh) static inline int32_t screen_q8(const struct ph_lens *lens, int32_
 static inline void project_perspective(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, struct ph_vertex *v)
 {
     int shift;
-    const uint32_t reciprocal = fx_rcp_norm((uint32_t)w, &shift);
+    const uint32_t reciprocal = fx_rcp_far((uint32_t)w, &shift);
     const int32_t positive = (int32_t)(reciprocal >> 1);
     v->x = lens->centre_x + screen_q8(lens, divide_q25(x, positive, shift));
     v->y = lens->centre_y + screen_q8(lens, divide_q25(y, positive, shift));
