@@ -78,6 +78,7 @@ struct ph_texture {
 
 struct ph_renderer;
 struct ph_band;
+struct ph_blending;
 
 enum ph_blend_kind {
     PH_BLEND_KEY,   /* cut-out: texels of the colour `key` are left out */
@@ -101,16 +102,17 @@ enum ph_blend_kind {
  * NULL, their triangles are left out.
  */
 struct ph_blend {
-    void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_blended: it is linked if used */
-    uint8_t kind;                                                    /* enum ph_blend_kind */
-    uint8_t alpha;                                                   /* TIMES, ALPHA, ADD: 1 .. 32; 0: nothing shows */
-    uint16_t key;                                                    /* wire order */
+    const struct ph_blending *draw;  /* ph_draw_blended: a program links what blends if it names this */
+    uint8_t kind;                    /* enum ph_blend_kind */
+    uint8_t alpha;                   /* TIMES, ALPHA, ADD: 1 .. 32; 0: nothing shows */
+    uint16_t key;                    /* wire order */
     const struct ph_texture *alphas; /* all but KEY: the green of each texel is its alpha, beside the material's
                                         texture or its colour; its sides may differ from the texture's. Or NULL: all
                                         have alpha 1 */
 };
 
-void ph_draw_blended(struct ph_renderer *r, const struct ph_band *band);
+extern const struct ph_blending ph_blending;
+#define ph_draw_blended (&ph_blending)
 
 struct ph_material {
     const struct ph_shading *shading; /* PH_SHADE_... */
@@ -408,11 +410,11 @@ struct ph_renderer {
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
     uint16_t background;
-    uint8_t samples_log2; /* 1 with samples, else 0: log2 of samples a pixel each way */
-    bool is_shown;        /* config.shown holds what the display shows */
-    void (*after)(struct ph_renderer *r, const struct ph_band *band); /* draws what comes after the opaque; or NULL */
-    uint32_t rows_place, rows;    /* rows of pixels that blended triangles are drawn into */
-    const struct ph_fogging *fog; /* fogs bands; or NULL */
+    uint8_t samples_log2;            /* 1 with samples, else 0: log2 of samples a pixel each way */
+    bool is_shown;                   /* config.shown holds what the display shows */
+    const struct ph_blending *after; /* draws what comes after the opaque; or NULL */
+    uint32_t rows_place, rows;       /* rows of pixels that blended triangles are drawn into */
+    const struct ph_fogging *fog;    /* fogs bands; or NULL */
     struct ph_fog fog_of;
     const struct ph_lines *lines; /* sets up lines, if there are any: see line.h */
     uint32_t fog_codes[32];       /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */

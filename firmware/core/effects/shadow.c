@@ -274,7 +274,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
         draw_triangles(&c, mesh->triangles + part->first, mesh->triangles + part->first + part->count);
     }
     if (material->blend != NULL) {
-        ph_list_put_after(r, before);
+        material->blend->draw->put_after(r, before);
     }
     ph_list_rewind(r, &mark);
     r->stats.triangles_drawn = ph_ref_count(r);

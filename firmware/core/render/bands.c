@@ -179,7 +179,7 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
         draw_triangles(&f, &rows);
         if (r->after != NULL) {
             rows.coarse = NULL; /* blended triangles are drawn into rows of their own */
-            r->after(r, &rows);
+            r->after->draw_after(r, &rows);
         } else if (r->fog != NULL) {
             r->fog->fog_band(r, &rows);
         }

@@ -321,7 +321,13 @@ static int32_t rows_of_half(const struct ph_renderer *r, const struct ph_band *b
     return y > band->y0 ? y - band->y0 : band->y1 - band->y0 > 1;
 }
 
-void ph_draw_blended(struct ph_renderer *r, const struct ph_band *band)
+static void draw_after(struct ph_renderer *r, const struct ph_band *band)
 {
     ph_draw_in_parts(r, band, r->rows >= 2 && has_one_lens(r) ? rows_of_half(r, band) : 0, draw_share);
 }
+
+const struct ph_blending ph_blending = {.begin_blend = ph_begin_blend,
+                                        .put_after = ph_put_after,
+                                        .draw_sides = ph_draw_sides,
+                                        .sort_opaque = ph_sort_opaque,
+                                        .draw_after = draw_after};

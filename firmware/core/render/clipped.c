@@ -79,7 +79,7 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
     }
     ph_draw_clipped_line(r, material, ends);
     if (material->blend != NULL) {
-        ph_list_put_after(r, before);
+        material->blend->draw->put_after(r, before);
     }
     r->stats.triangles_drawn = ph_ref_count(r);
 }

@@ -36,13 +36,12 @@ static inline __attribute__((always_inline)) void sort_ref(uint32_t *bins, struc
     link_ref(ref, i, next);
 }
 
-/* Puts references into the lists of their bands, but those that are cut out or blended, which are in no list. */
-PH_TIER(mesh) static PH_NOINLINE void sort_some_refs(uint32_t *bins, struct ph_ref *ref, uint32_t i)
+PH_TIER(mesh) void ph_sort_opaque(uint32_t *bins, struct ph_ref *ref, uint32_t n)
 {
-    for (; i > 0; ref++) {
-        i--;
+    for (; n > 0; ref++) {
+        n--;
         if (ref->link < PH_LINK_AFTER) {
-            sort_ref(bins, ref, i);
+            sort_ref(bins, ref, n);
         }
     }
 }
@@ -54,7 +53,7 @@ PH_TIER(mesh) static void sort_refs(struct ph_renderer *r)
     uint32_t i = ph_ref_count(r);
     struct ph_ref *ref = r->list.to;
     if (r->after != NULL) {
-        sort_some_refs(bins, ref, i);
+        r->after->sort_opaque(bins, ref, i);
         return;
     }
     for (; i >= 8; i -= 8, ref += 8) {

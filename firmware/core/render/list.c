@@ -154,14 +154,11 @@ PH_TIER(seldom) uint16_t *ph_list_work(const struct ph_renderer *r)
     return (uint16_t *)ph_at(r, r->rows_place + r->rows * ph_row_bytes(r)); /* behind the rows */
 }
 
-PH_TIER(seldom) bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
+PH_TIER(seldom) bool ph_begin_blend(struct ph_renderer *r, const struct ph_blend *blend)
 {
     const size_t row = ph_row_bytes(r);
     const size_t most = room_of(r, TRIANGLES) / 16 / row;
     const uint32_t rows = most > ROWS_MOST ? ROWS_MOST : most > 0 ? 2 : 1; /* two: so that two cores can draw */
-    if (blend->draw == NULL) {
-        return false;
-    }
     if (r->rows == 0) {
         const uint32_t pairs = (r->config.height + 1u) / 2;
         r->rows_place = take_any(r, TRIANGLES, VERTICES, rows * row + pairs * sizeof(uint16_t));
@@ -195,7 +192,7 @@ struct ph_box ph_box_of(const struct ph_renderer *r, const struct ph_draw *draw,
                            ph_first_row(box.y0 - half_width), ph_first_row(box.y1 + half_width)};
 }
 
-PH_TIER(seldom) void ph_list_put_after(struct ph_renderer *r, uint32_t first)
+PH_TIER(seldom) void ph_put_after(struct ph_renderer *r, uint32_t first)
 {
     uint16_t *const work = ph_list_work(r);
     for (uint32_t place = r->list.first; place != PH_NONE;) {

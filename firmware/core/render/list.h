@@ -110,12 +110,35 @@ void ph_list_close(struct ph_renderer *r);
  * list is closed, PH_ERR_NOMEM if there never is room, else PH_OK. */
 int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool lines);
 
-/* Prepares for something with a blend. False: it is left out, because there is no room for the rows that it is drawn
- * into, or because the blend names no function. */
-bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend);
+struct ph_part_context;
 
-/* Marks the references from number `first` on as cut out or blended: they are drawn after all others. */
-void ph_list_put_after(struct ph_renderer *r, uint32_t first);
+/* What lists and draws with a blend. Only a blend names it, so the linker leaves it out of a program without blends. */
+struct ph_blending {
+    /* Prepares for something with a blend. False: there is no room for the rows that it is drawn into. */
+    bool (*begin_blend)(struct ph_renderer *r, const struct ph_blend *blend);
+    /* Marks the references from number `first` on as cut out or blended: they are drawn after all others. */
+    void (*put_after)(struct ph_renderer *r, uint32_t first);
+    /* mesh_sides.c: draws the triangles of a part that shows both of its sides one behind the other. Returns how many
+     * can be seen. */
+    uint32_t (*draw_sides)(struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
+    /* feed.c: puts references into the lists of their bands, but those that were put after the others. */
+    void (*sort_opaque)(uint32_t *bins, struct ph_ref *ref, uint32_t n);
+    /* Draws into a band what was put after the others. */
+    void (*draw_after)(struct ph_renderer *r, const struct ph_band *band);
+};
+
+/* Prepares for something with a blend. False: it is left out, because there is no room for it, or because the blend
+ * does not say what draws it. */
+static inline bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
+{
+    return blend->draw != NULL && blend->draw->begin_blend(r, blend);
+}
+
+/* blended.c and feed.c: see struct ph_blending. */
+bool ph_begin_blend(struct ph_renderer *r, const struct ph_blend *blend);
+void ph_put_after(struct ph_renderer *r, uint32_t first);
+uint32_t ph_draw_sides(struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
+void ph_sort_opaque(uint32_t *bins, struct ph_ref *ref, uint32_t n);
 
 /* Estimated cost of the triangles with a blend in every two rows of the picture, in pixels. */
 uint16_t *ph_list_work(const struct ph_renderer *r);

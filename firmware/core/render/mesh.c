@@ -17,8 +17,7 @@
 #define EACH_LEAST 6
 #define EACH_ALONE 3
 
-/* Draws all triangles of a part, one by one: where ph_cull cannot judge them. Returns how many can be seen. */
-static uint32_t draw_each(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+uint32_t ph_draw_each(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
     uint32_t seen = 0;
     bool may_share = c->draw.uvs == NULL && !ph_has_uvs(c->material);
@@ -36,26 +35,6 @@ static uint32_t draw_each(const struct ph_part_context *c, const uint16_t (*inde
         }
     }
     return seen;
-}
-
-/* Draws a part that shows both of its sides one behind the other: all far sides, then all near sides. Each triangle
- * counts once, also if pieces of it show either side. */
-static PH_NOINLINE uint32_t draw_sides(struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
-{
-    struct ph_stats *const stats = &c->r->stats;
-    const uint32_t culled = stats->triangles_culled, clipped = stats->triangles_clipped;
-    uint32_t seen = 0;
-    c->two_sided = false;
-    for (const uint16_t(*i)[3] = index; i < end; i++) {
-        const uint16_t turned[3] = {(*i)[0], (*i)[2], (*i)[1]};
-        seen += ph_draw_any(c, turned);
-    }
-    seen -= stats->triangles_culled - culled;
-    stats->triangles_culled = culled;
-    stats->triangles_clipped = clipped;
-    seen += draw_each(c, index, end);
-    const uint32_t most = (uint32_t)(end - index) + stats->triangles_culled - culled;
-    return seen < most ? seen : most;
 }
 
 /* Lists the triangles of a part on this core. ph_cull lists most of them. */
@@ -126,8 +105,8 @@ static PH_NOINLINE void light_marked(const struct ph_part_context *c)
 PH_TIER(mesh) static void draw_triangles(struct ph_part_context *c, const struct ph_part *part)
 {
     const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
-    const uint32_t seen = (c->draw.kind & PH_DRAW_ONE_SIDE) != 0 ? draw_sides(c, index, end)
-                          : c->curved != NULL || c->two_sided    ? draw_each(c, index, end)
+    const uint32_t seen = (c->draw.kind & PH_DRAW_ONE_SIDE) != 0 ? c->material->blend->draw->draw_sides(c, index, end)
+                          : c->curved != NULL || c->two_sided    ? ph_draw_each(c, index, end)
                                                                  : draw_facing(c, index, end);
     if (c->lit) {
         light_marked(c);
@@ -244,7 +223,7 @@ static void draw_part(struct ph_part_context *c, const struct ph_part *part, con
         draw_triangles(c, part);
     }
     if (blend != NULL) {
-        ph_list_put_after(r, before);
+        blend->draw->put_after(r, before);
     }
 }
 

@@ -41,6 +41,9 @@ static inline uint16_t ph_vertex_light(const struct ph_part_context *c, uint32_t
 /* A vertex as clipping needs it. */
 struct ph_clip_vertex ph_mesh_vertex(const struct ph_part_context *c, uint32_t index);
 
+/* mesh.c: draws all triangles of a part, one by one: where ph_cull cannot judge them. Returns how many can be seen. */
+uint32_t ph_draw_each(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
+
 /* Draws any triangle: with clip codes, facing away, under a fisheye. False if it cannot be seen. */
 bool ph_draw_any(const struct ph_part_context *c, const uint16_t index[3]);
 
