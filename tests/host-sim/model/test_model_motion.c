@@ -1,0 +1,122 @@
+/* model_motion: the clip that a name chooses, what is said where there is none, and which animation moves a mesh. */
+#include "complain.h"
+#include "model.h"
+#include "scene_file.h"
+#include "stderr_capture.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static const struct ph_clip clips[] = {{.name = "walk"}, {.name = "run"}, {.name = "jump"}, {.name = "run"}};
+static const struct animation_mesh meshes[] = {{.mesh = 4}, {.mesh = 0}, {.mesh = 7}};
+static struct model_motion motion;
+static struct model model;
+
+static int fresh(void **state)
+{
+    (void)state;
+    motion = (struct model_motion){
+        .animation = {.clip = &clips[2], .meshes = meshes, .mesh_count = 2}, .clips = clips, .clip_count = 3};
+    model = (struct model){.motion = &motion};
+    return 0;
+}
+
+static void a_name_chooses_the_clip(void **state)
+{
+    (void)state;
+    assert_int_equal(model_play(&model, NULL), 0);
+    assert_ptr_equal(motion.animation.clip, &clips[2]);
+    assert_int_equal(model_play(&model, "walk"), 0);
+    assert_ptr_equal(motion.animation.clip, &clips[0]);
+    motion.clip_count = 4;
+    assert_int_equal(model_play(&model, "run"), 0);
+    assert_ptr_equal(motion.animation.clip, &clips[1]);
+}
+
+static void check_refusal(const char *name, const char *line)
+{
+    struct stderr_capture said;
+    stderr_capture_begin(&said);
+    const int status = model_play(&model, name);
+    stderr_capture_end(&said);
+    assert_int_equal(status, PH_ERR_INVAL);
+    assert_int_equal(stderr_capture_lines(&said), 1);
+    assert_non_null(strstr(said.text, line));
+}
+
+static void a_name_that_is_not_there_is_told_with_those_that_are(void **state)
+{
+    (void)state;
+    check_refusal("wall", "--clip 'wall': the model has no such clip; did you mean walk? it has walk, run, jump");
+    check_refusal("", "--clip '': the model has no such clip; it has walk, run, jump");
+    assert_ptr_equal(motion.animation.clip, &clips[2]);
+    motion.clip_count = 0;
+    check_refusal("walk", "--clip 'walk': the model has no such clip; it has none");
+    model.motion = NULL;
+    check_refusal("walk", "the model has no such clip; it has none");
+    assert_int_equal(model_play(&model, NULL), 0);
+}
+
+/* A list has room for 199 letters. */
+static void a_long_list_is_cut(void **state)
+{
+    char name[201], line[220];
+    const struct ph_clip two[] = {{.name = name}, {.name = "n"}};
+    (void)state;
+    memset(name, 'n', 200), name[200] = 0;
+    snprintf(line, sizeof line, "it has %.199s\n", name);
+    motion.clips = two, motion.clip_count = 2;
+    check_refusal("walk", line);
+    name[100] = 0;
+    snprintf(line, sizeof line, "it has %s, n\n", name);
+    check_refusal("walk", line);
+    memset(name, 'n', 198), name[198] = 0;
+    snprintf(line, sizeof line, "it has %s,\n", name);
+    check_refusal("walk", line);
+    name[1] = 0, motion.clip_count = 1;
+    check_refusal("walk", "it has n\n");
+}
+
+/* A binary scene keeps the number of the clip in its own bytes, behind the head. */
+static void a_binary_scene_is_told_the_number(void **state)
+{
+    static struct {
+        struct scene_file_head head;
+        struct scene_file_motion motion;
+    } file;
+    file.head.motion = (uint32_t)((char *)&file.motion - (char *)&file);
+    file.motion.clip_count = 3;
+    (void)state;
+    model.scene = &file;
+    assert_int_equal(model_play(&model, "run"), 0);
+    assert_int_equal(file.motion.playing, 1);
+    check_refusal("hop", "no such clip");
+    assert_int_equal(file.motion.playing, 1);
+}
+
+static void a_mesh_moves_if_the_animation_names_it(void **state)
+{
+    (void)state;
+    assert_ptr_equal(model_moving(&model, 4), &meshes[0]);
+    assert_ptr_equal(model_moving(&model, 0), &meshes[1]);
+    assert_null(model_moving(&model, 1));
+    assert_null(model_moving(&model, 7)); /* behind the last */
+    model.motion = NULL;
+    assert_null(model_moving(&model, 4));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(a_name_chooses_the_clip, fresh),
+        cmocka_unit_test_setup(a_name_that_is_not_there_is_told_with_those_that_are, fresh),
+        cmocka_unit_test_setup(a_long_list_is_cut, fresh),
+        cmocka_unit_test_setup(a_binary_scene_is_told_the_number, fresh),
+        cmocka_unit_test_setup(a_mesh_moves_if_the_animation_names_it, fresh),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
