@@ -1,7 +1,6 @@
 /*
  * For every panel, rotation and format the model's glass shows the picture that went through the driver; so does a
- * glass of any size. The expected pictures come from panel_picture.c (floating point, no shared code), the offsets from
- * other drivers.
+ * glass of any size. The expected pictures come from panel_picture.c (floating point, no shared code).
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -127,36 +126,6 @@ static void a_glass_of_any_size_can_be_made(void **state)
     assert_int_equal(sim_virtual(&v, 1, 1025), HAL_EINVAL);
 }
 
-/* Window starts that other drivers publish for ST7789 and ST7735: MADCTL, size of the picture, column, row. */
-static const struct {
-    const struct panel *panel;
-    uint8_t madctl[4];
-    uint16_t at[4][2]; /* 0, 90, 180, 270 degrees */
-} published[] = {
-    {&panel_st7789_240x320, {0x00, 0x60, 0xC0, 0xA0}, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}},
-    {&panel_st7789_170x320, {0x00, 0x60, 0xC0, 0xA0}, {{35, 0}, {0, 35}, {35, 0}, {0, 35}}},
-    {&panel_st7789_240x280, {0x00, 0x60, 0xC0, 0xA0}, {{0, 20}, {20, 0}, {0, 20}, {20, 0}}},
-    {&panel_st7789_240x240, {0x00, 0x60, 0xC0, 0xA0}, {{0, 0}, {0, 0}, {0, 80}, {80, 0}}},
-    {&panel_st7789_135x240, {0x00, 0x60, 0xC0, 0xA0}, {{52, 40}, {40, 53}, {53, 40}, {40, 52}}},
-    {&panel_st7735s_128x128, {0x08, 0x68, 0xC8, 0xA8}, {{2, 1}, {1, 2}, {2, 3}, {3, 2}}},
-    {&panel_st7735s_80x160, {0x08, 0x68, 0xC8, 0xA8}, {{26, 1}, {1, 26}, {26, 1}, {1, 26}}},
-    {&panel_ili9341_240x320, {0x48, 0x28, 0x88, 0xE8}, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}},
-    {&panel_ssd1351_128x128, {0x74, 0x77, 0x66, 0x65}, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}},
-};
-
-static void one_rule_gives_the_published_offsets(void **state)
-{
-    (void)state;
-    for (size_t i = 0; i < sizeof published / sizeof published[0]; i++) {
-        for (unsigned rotation = 0; rotation < 4; rotation++) {
-            struct panel_place place = panel_place(published[i].panel, rotation);
-            assert_int_equal(place.rotation_byte, published[i].madctl[rotation]);
-            assert_int_equal(place.column, published[i].at[rotation][0]);
-            assert_int_equal(place.row, published[i].at[rotation][1]);
-        }
-    }
-}
-
 /* The bits that a pixel needs, compared with those that go out. */
 static void a_frame_costs_at_most_one_percent_more_than_its_pixels(void **state)
 {
@@ -203,22 +172,6 @@ static void the_clock_can_be_changed_between_frames(void **state)
     sim_fault(sim, SIM_FAULT_CLOCK, 1);
     assert_int_equal(panel_clock(&d, 20000000), HAL_EINVAL);
     sim_close(sim);
-}
-
-/* Clocks at which the time is a whole number of us and a bit. */
-static void the_frame_time_is_rounded_up(void **state)
-{
-    (void)state;
-    const uint64_t bits = 8ULL * panel_frame_bytes(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0);
-    uint32_t found = 0;
-    for (uint32_t hz = 1000; hz < 2000000; hz++) {
-        if (bits * 1000000 % hz == 1 || bits * 1000000 % hz == 0) {
-            const uint64_t us = bits * 1000000 / hz + bits * 1000000 % hz;
-            assert_int_equal(panel_frame_us(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0, hz), us);
-            found += bits * 1000000 % hz;
-        }
-    }
-    assert_true(found > 0);
 }
 
 static void a_panel_is_not_opened_with_what_it_does_not_have(void **state)
@@ -461,17 +414,6 @@ static void odd_greys_are_padded_beside_the_glass(void **state)
     check_odd_greys(PANEL_R270, 0, 127);
 }
 
-static void panels_are_found_by_name(void **state)
-{
-    (void)state;
-    for (uint32_t i = 0; i < panel_count; i++) {
-        assert_ptr_equal(panel_find(panel_list[i]->name), panel_list[i]);
-    }
-    assert_ptr_equal(panel_find("st7789-240x240"), &panel_st7789_240x240);
-    assert_ptr_equal(panel_find("ssd0323-128x64"), &panel_ssd0323_128x64);
-    assert_null(panel_find("st7789"));
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -479,18 +421,15 @@ int main(void)
         cmocka_unit_test(the_number_of_lines_at_a_time_is_not_seen),
         cmocka_unit_test(the_size_of_scratch_is_not_seen),
         cmocka_unit_test(a_glass_of_any_size_can_be_made),
-        cmocka_unit_test(one_rule_gives_the_published_offsets),
         cmocka_unit_test(a_frame_costs_at_most_one_percent_more_than_its_pixels),
         cmocka_unit_test(the_frame_time_is_that_of_the_bits),
         cmocka_unit_test(the_clock_can_be_changed_between_frames),
-        cmocka_unit_test(the_frame_time_is_rounded_up),
         cmocka_unit_test(a_panel_is_not_opened_with_what_it_does_not_have),
         cmocka_unit_test(windows_show_their_part_of_the_picture_wherever_they_lie),
         cmocka_unit_test(borders_that_the_controller_has_are_not_sent_again),
         cmocka_unit_test(a_window_outside_of_the_picture_or_within_a_byte_is_refused),
         cmocka_unit_test(grey_is_dithered_evenly_between_its_levels),
         cmocka_unit_test(odd_greys_are_padded_beside_the_glass),
-        cmocka_unit_test(panels_are_found_by_name),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
