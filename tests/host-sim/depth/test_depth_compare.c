@@ -57,6 +57,7 @@ static void answers_that_are_the_same_have_a_row_each(void **state)
         {ANSWER, HEAD "0.1,1000,float16,3,same\n"},
         {"boot\n\n" ANSWER "> 1 2 log\n1,2,3\ndone\nend", HEAD "0.1,1000,float16,3,same\n1,2,log,3,same\n"},
         {"> 0.1 1000 float16\r\n1,2,3\r\ndone\r\n", HEAD "0.1,1000,float16,3,same\n"},
+        {"\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r\r" ANSWER, HEAD "0.1,1000,float16,3,same\n"},
         {"a > 1 2 wrong\n>1\n" ANSWER ANSWER, HEAD "0.1,1000,float16,3,same\n0.1,1000,float16,3,same\n"},
     };
     (void)state;
