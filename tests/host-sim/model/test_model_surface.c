@@ -217,64 +217,65 @@ static void what_a_texture_loses_is_noted(void **state)
 }
 
 /* Alphas 0, 64, 128, 255 of a texture: its green of 63 parts, times what is asked for. */
+static const struct {
+    uint8_t mode;
+    double alpha, cutoff;
+    enum { NONE, WHOLE, LAST, VARIES, BY_MASK } picture;
+    int kind, strength; /* kind -1: none */
+    int green;          /* of the second pixel; -1: no alphas */
+} blends[] = {
+    {MODEL_OPAQUE, .5, .5, VARIES, -1, 0, -1},
+    {MODEL_BLEND, 1, .5, NONE, -1, 0, -1},
+    {MODEL_BLEND, .5, .5, NONE, PH_BLEND_ALPHA, 16, -1},
+    {MODEL_BLEND, -1, .5, NONE, PH_BLEND_ALPHA, 0, -1},
+    {MODEL_BLEND, 1, .5, WHOLE, -1, 0, -1},
+    {MODEL_BLEND, 1, .5, VARIES, PH_BLEND_ALPHA, 32, 16}, /* 64 of 255 of 63 */
+    {MODEL_BLEND, 1.5, .5, VARIES, PH_BLEND_ALPHA, 32, 16},
+    {MODEL_BLEND, .25, .5, VARIES, PH_BLEND_ALPHA, 8, 16},
+    {MODEL_BLEND, 1, .5, BY_MASK, PH_BLEND_ALPHA, 32, 16},
+    {MODEL_BLEND, 1, .5, LAST, PH_BLEND_ALPHA, 32, 63},
+    {MODEL_MASK, 1, .5, NONE, -1, 0, -1},
+    {MODEL_MASK, .5, .5, NONE, -1, 0, -1},
+    {MODEL_MASK, .4, .5, NONE, PH_BLEND_ALPHA, 0, -1}, /* cut out as a whole */
+    {MODEL_MASK, 1, .5, VARIES, PH_BLEND_MASK, 0, 16},
+    {MODEL_MASK, 1, .25, VARIES, PH_BLEND_MASK, 0, 32}, /* what just shows becomes one half */
+    {MODEL_MASK, .5, .25, VARIES, PH_BLEND_MASK, 0, 16},
+    {MODEL_MASK, 1, 0, VARIES, -1, 0, -1},
+};
+
 static void alpha_chooses_the_blend(void **state)
 {
-    static const struct {
-        uint8_t mode;
-        double alpha, cutoff;
-        enum { NONE, WHOLE, LAST, VARIES, BY_MASK } picture;
-        int kind, strength; /* kind -1: none */
-        int green;          /* of the second pixel; -1: no alphas */
-    } cases[] = {
-        {MODEL_OPAQUE, .5, .5, VARIES, -1, 0, -1},
-        {MODEL_BLEND, 1, .5, NONE, -1, 0, -1},
-        {MODEL_BLEND, .5, .5, NONE, PH_BLEND_ALPHA, 16, -1},
-        {MODEL_BLEND, -1, .5, NONE, PH_BLEND_ALPHA, 0, -1},
-        {MODEL_BLEND, 1, .5, WHOLE, -1, 0, -1},
-        {MODEL_BLEND, 1, .5, VARIES, PH_BLEND_ALPHA, 32, 16}, /* 64 of 255 of 63 */
-        {MODEL_BLEND, 1.5, .5, VARIES, PH_BLEND_ALPHA, 32, 16},
-        {MODEL_BLEND, .25, .5, VARIES, PH_BLEND_ALPHA, 8, 16},
-        {MODEL_BLEND, 1, .5, BY_MASK, PH_BLEND_ALPHA, 32, 16},
-        {MODEL_BLEND, 1, .5, LAST, PH_BLEND_ALPHA, 32, 63},
-        {MODEL_MASK, 1, .5, NONE, -1, 0, -1},
-        {MODEL_MASK, .5, .5, NONE, -1, 0, -1},
-        {MODEL_MASK, .4, .5, NONE, PH_BLEND_ALPHA, 0, -1}, /* cut out as a whole */
-        {MODEL_MASK, 1, .5, VARIES, PH_BLEND_MASK, 0, 16},
-        {MODEL_MASK, 1, .25, VARIES, PH_BLEND_MASK, 0, 32}, /* what just shows becomes one half */
-        {MODEL_MASK, .5, .25, VARIES, PH_BLEND_MASK, 0, 16},
-        {MODEL_MASK, 1, 0, VARIES, -1, 0, -1},
-    };
     static const uint8_t pixels[][8] = {{0},
                                         {255, 255, 255, 255, 255, 255, 255, 255},
                                         {255, 255, 255, 255, 255, 255, 255, 251},
                                         {0, 64, 128, 255, 0, 0, 0, 255},
                                         {0, 64, 128, 255, 0, 0, 0, 255}};
     (void)state;
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < sizeof blends / sizeof blends[0]; i++) {
         fresh(NULL);
-        surface.mode = cases[i].mode, surface.alpha = cases[i].alpha, surface.cutoff = cases[i].cutoff;
+        surface.mode = blends[i].mode, surface.alpha = blends[i].alpha, surface.cutoff = blends[i].cutoff;
         surface.wrap[0] = PH_WRAP_CLAMP, surface.filter = PH_FILTER_BILINEAR;
         shared.options.filter = "file";
-        if (cases[i].picture != NONE) {
-            surface.picture = row_of(pixels[cases[i].picture % BY_MASK], 8, true);
+        if (blends[i].picture != NONE) {
+            surface.picture = row_of(pixels[blends[i].picture % BY_MASK], 8, true);
             surface.picture.picture.width = 4, surface.picture.picture.height = 2;
         }
-        if (cases[i].picture == BY_MASK) {
+        if (blends[i].picture == BY_MASK) {
             surface.mask = row_of(pixels[BY_MASK], 8, true);
         }
         make();
         const struct ph_blend *b = made.surface.blend;
-        assert_int_equal(b != NULL ? b->kind : -1, cases[i].kind);
-        assert_int_equal(b != NULL ? b->alpha : 0, cases[i].strength);
-        assert_int_equal(b != NULL && b->alphas != NULL, cases[i].green >= 0);
+        assert_int_equal(b != NULL ? b->kind : -1, blends[i].kind);
+        assert_int_equal(b != NULL ? b->alpha : 0, blends[i].strength);
+        assert_int_equal(b != NULL && b->alphas != NULL, blends[i].green >= 0);
         assert_true(b == NULL || b->draw == ph_draw_blended);
-        if (cases[i].green >= 0) {
+        if (blends[i].green >= 0) {
             unsigned c[3];
             channels_of(b->alphas->texels[1], c);
-            assert_int_equal(c[1], cases[i].green);
+            assert_int_equal(c[1], blends[i].green);
             assert_true(c[0] == c[1] / 2 && c[2] == c[0]);
             channels_of(b->alphas->texels[7], c);
-            assert_int_equal(c[1], cases[i].picture == LAST ? 62 : 63);
+            assert_int_equal(c[1], blends[i].picture == LAST ? 62 : 63);
             assert_true(b->alphas->wrap == PH_WRAP_CLAMP && b->alphas->filter == PH_FILTER_BILINEAR);
         }
     }
