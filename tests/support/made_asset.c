@@ -27,11 +27,11 @@ static struct made {
     struct ph_influence influences[VERTICES];
     struct ph_rig_node nodes[MADE_NODES];
     int32_t weights[MADE_WEIGHTS];
-    uint16_t joints[MADE_MOVING][2];
-    struct ph_xform binds[MADE_MOVING][2];
+    uint16_t joints[MADE_MOVING][3];
+    struct ph_xform binds[MADE_MOVING][3];
     struct ph_clip clips[MADE_CLIPS];
     struct ph_track tracks[4];
-    uint16_t times[4][3];
+    uint16_t times[4][7];
     int16_t keys[4][24];
 } made;
 
@@ -152,14 +152,15 @@ static void make_rig(void)
         made.joints[i][1] = 2;
         made.binds[i][0] = matrix(i == 1 ? 40 : 50);
         made.binds[i][1] = matrix(60);
+        made.binds[i][2] = matrix(70);
     }
     for (uint32_t v = 0; v < VERTICES; v++) {
         made.influences[v] = (struct ph_influence){{(uint8_t)(v % 2), (uint8_t)((v + 1) % 2), 0, 0},
                                                    {(uint16_t)(20000 + v), (uint16_t)(12768 - v), 0, 0}};
     }
-    make_moving_mesh(0, 0, 2, 0, 0);
+    make_moving_mesh(0, 0, 3, 0, 0);
     make_moving_mesh(1, 2, 1, 2, 1);
-    make_moving_mesh(2, 3, 2, 1, 0);
+    make_moving_mesh(2, 3, 3, 1, 0);
     made.moving[0].bound.influences = made.influences;
     count_up(made.target_normals, sizeof made.target_normals / 2, 65200);
     made.moving[1].morph.d_normals = (const int16_t(*)[3])made.target_normals;
@@ -176,10 +177,10 @@ static void make_clips(void)
          .frac = 13,
          .key_count = 2},
         {.node = 0, .path = PH_PATH_ROTATION, .interpolation = PH_KEYS_CUBIC, .width = 4, .frac = 14, .key_count = 2},
-        {.node = 1, .path = PH_PATH_WEIGHTS, .interpolation = PH_KEYS_LINEAR, .width = 2, .frac = 10, .key_count = 3}};
+        {.node = 1, .path = PH_PATH_WEIGHTS, .interpolation = PH_KEYS_LINEAR, .width = 2, .frac = 10, .key_count = 7}};
     for (uint32_t i = 0; i < 4; i++) {
         made.tracks[i] = tracks[i];
-        count_up(made.times[i], 3, (uint16_t)(10 * i));
+        count_up(made.times[i], 7, (uint16_t)(10 * i));
         count_up(made.keys[i], 24, (uint16_t)(1000 * i + 65000));
         made.tracks[i].times = made.times[i];
         made.tracks[i].keys = made.keys[i];

@@ -6,7 +6,7 @@
 
 /*
  * Four meshes; 0 and 1 have equal ramps.
- *   0   3 vertices, 1 triangle    GOURAUD; if it moves, by a skin of two joints
+ *   0   3 vertices, 1 triangle    GOURAUD; if it moves, by a skin of three joints
  *   1   4 vertices, 2 triangles   TEXTURE_LIT, repeated, with levels; blended by alphas
  *   2   5 vertices, 3 triangles   TEXTURE, the texture of mesh 1; added, without alphas; moves by two morph targets
  *   3   3 vertices, 1 triangle    UNLIT, colours, two-sided, the blend of mesh 1; moves by the skin of mesh 0, a copy,
