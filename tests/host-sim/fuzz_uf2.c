@@ -113,7 +113,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 }
 #else
 
-enum { PAGES_MOST = 48, BIN_MOST = PAGES_MOST * 256, FILE_MOST = 2 * BIN_MOST, QUICK = 10000, LONG = 300000 };
+enum {
+    PAGES_FEW = 6,
+    PAGES_MOST = 48,
+    BIN_MOST = PAGES_MOST * 256,
+    FILE_MOST = 2 * BIN_MOST,
+    QUICK = 10000,
+    LONG = 1000000
+};
 
 static uint64_t state;
 
@@ -128,7 +135,7 @@ static uint32_t below(uint32_t n)
 static uint32_t right_file(uint8_t *file)
 {
     static uint8_t bin[BIN_MOST];
-    const uint32_t pages = 1 + below(PAGES_MOST);
+    const uint32_t pages = 1 + below(below(8) != 0 ? PAGES_FEW : PAGES_MOST);
     uf2_make_bin(bin, pages * 256, below(1000));
     uf2_make(file, bin, pages * 256);
     if (below(2) == 0) {
@@ -160,7 +167,7 @@ static enum verdict change(uint8_t *file, uint32_t pages)
         b[UF2_DATA + below(256)] ^= (uint8_t)(1 + below(255));
         return first ? (uf2_get(b + UF2_FAMILY) == 0xE48BFF56 ? WRONG : EITHER) : RIGHT;
     case 2: /* to a free page */
-        uf2_put(b + UF2_ADDRESS, FLASH_BASE + 256 * (PAGES_MOST + below(2048)));
+        uf2_put(b + UF2_ADDRESS, FLASH_BASE + 256 * (PAGES_MOST + below(below(8) != 0 ? 32 : 2048)));
         return first && pages > 1 ? WRONG : RIGHT; /* the first sector would have lost its boot2 */
     default: {                                     /* a bit of a field; that of an address may lead to a free page */
         const int field = fields[below(8)];
