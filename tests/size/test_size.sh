@@ -61,6 +61,17 @@ a_call_is_seen() {
 }
 check "a_call_that_pulls_a_feature_in_is_seen" a_call_is_seen
 
+# The user's file, the library's modules and what libgcc does have names, not those of archives and of gcc's objects.
+rows_have_names() {
+    tests/tools/program_size.sh tests/size/everything.c >"$dir/rows" && ! grep '\.[ao]\b\|/' "$dir/rows" || return 1
+    local row
+    for row in planes fill alignment 'libgcc: 64-bit division' 'the program itself'; do
+        [ "$(grep -c "^$row " "$dir/rows")" = 1 ] || { echo "no row, or several: $row" && return 1; }
+    done
+    awk 'NR > 1 && $1 != "all" { f += $(NF - 1); r += $NF } $1 == "all" { exit !(f == $2 && r == $3) }' "$dir/rows"
+}
+check "rows_have_names_that_a_user_knows" rows_have_names
+
 # More code in a program is seen.
 {
     echo '#include "picture.h"'
