@@ -408,7 +408,8 @@ static int run(const struct sim_options *o, struct chosen *chosen, struct sim_pl
                                     .scale = o->scale,
                                     .several = o->frames > 1}};
     struct sim_player player;
-    const uint32_t last = o->start + (o->frames == UINT32_MAX ? FRAME_LIMIT : o->frames - 1);
+    const uint32_t more = o->frames == UINT32_MAX ? FRAME_LIMIT : o->frames - 1; /* behind the highest comes frame 0 */
+    const uint32_t last = more < UINT32_MAX - o->start ? o->start + more : UINT32_MAX;
     int status = key_script_read(&stage.keys, o->keys);
     if (status == 0) {
         status = frame_check_open(&stage.check, last);

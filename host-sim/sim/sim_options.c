@@ -172,8 +172,8 @@ static const struct option_row rows[] = {
     {"size", "WxH", "instead of a kit: a plain panel of this size", "like 320x240, each 1 .. 1024", .set = set_size},
     {"frames", "N", "frames to draw; 1 by default, with --window until it is closed", "a whole number, 1 .. 1000000000",
      .at = offsetof(struct sim_options, frames), .least = 1, .most = FRAME_LIMIT},
-    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000",
-     .at = offsetof(struct sim_options, start), .least = 0, .most = FRAME_LIMIT},
+    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 4294967295",
+     .at = offsetof(struct sim_options, start), .least = 0, .most = UINT32_MAX},
     {"out", "DIR|FILE.png|FILE.gif|FILE.ppm|-",
      "DIR/frame-NNNN.ppm; FILE.png or .ppm (several frames: FILE-NNNN.png); all frames as a GIF; - streams PPM to\n"
      "        stdout",

@@ -131,6 +131,12 @@ frames_and_start_count() {
     [ "$(tail -n 1 <<<"$lines")" = "$("$sim" --demo torus "${small[@]}" --start 9 --crc)" ]
 }
 
+the_highest_count_is_followed_by_0() {
+    "$sim" --demo torus "${small[@]}" --start 4294967295 --frames 2 --crc --out "$dir/high" >"$dir/said" &&
+        [ "$(cut -d' ' -f1-3 "$dir/said" | tr '\n' ,)" = "frame 4294967295 crc32,frame 0 crc32," ] && [ "$(cd "$dir/high" && echo *)" = "frame-0000000000.ppm frame-4294967295.ppm" ] &&
+        [ "$(tail -n 1 "$dir/said")" = "$("$sim" --demo torus "${small[@]}" --crc)" ]
+}
+
 near_cuts() { differ --demo torus "${small[@]}" --near 0.5 -- --demo torus "${small[@]}" --near 2.9; }
 far_cuts() { differ --demo torus "${small[@]}" --far 100 -- --demo torus "${small[@]}" --far 2.9; }
 
@@ -524,6 +530,7 @@ check board_has_its_own_size board_has_its_own_size
 check size_is_the_picture_s size_is_the_picture_s
 check without_a_board_it_is_240x240 same --demo cube -- --demo cube --size 240x240
 check frames_and_start_count frames_and_start_count
+check the_highest_count_is_followed_by_0 the_highest_count_is_followed_by_0
 check frames_move differ --demo torus "${small[@]}" --start 0 -- --demo torus "${small[@]}" --start 5
 check overlay_has_an_effect differ --demo torus --size 160x60 --overlay -- --demo torus --size 160x60
 check overlay_does_not_depend_on_bands same --demo torus --size 160x60 --overlay --band 1 -- --demo torus --size 160x60 --overlay --band 60
@@ -628,6 +635,7 @@ exclude|--board x --size 8x8 --crc
 --frames|--frames= --crc
 --start|--start x --crc
 --start|--start 1x --crc
+--start|--start 4294967296 --crc
 --aa: pictures of at most 512x512 pixels, not 513x10$|--aa --size 513x10 --crc
 --aa: pictures of at most 512x512 pixels, not 10x513$|--aa --size 513x10 --rotate 90 --crc
 --aa: pictures of at most 512x512 pixels, not 600x600$|--aa --size 600x600 --window
