@@ -19,6 +19,7 @@
 #define CHARGE_US 20000U /* a button's line reads released after this time: 100 nF and 80 kOhm take 8 ms to 2 V */
 
 struct console {
+    bool first; /* no frame was drawn yet; frame 0 comes again after 2^32 of them */
     bool holding;
     bool reporting;      /* a report was asked for */
     uint32_t buttons;    /* for the next frame */
@@ -98,7 +99,7 @@ static int draw(struct runner *runner, const struct console *console, uint32_t f
         runner_ahead(runner, frame + 1);
     }
     status = status == 0 ? runner_send(runner) : status;
-    if (status == 0 && (console->holding || frame == 0)) {
+    if (status == 0 && (console->holding || console->first)) {
         status = runner_finish(runner);
     }
     if (runner->demo != before) {
@@ -150,7 +151,7 @@ static int write_report(struct runner *runner, struct console *console, uint32_t
 
 static int run(struct runner *runner)
 {
-    struct console console = {.counted_us = runner->hal.ops->time_us(runner->hal.context)};
+    struct console console = {.first = true, .counted_us = runner->hal.ops->time_us(runner->hal.context)};
     int status = 0;
     log_demo(runner);
     for (uint32_t frame = 0; status == 0; frame++) {
@@ -161,6 +162,7 @@ static int run(struct runner *runner)
             continue;
         }
         status = draw(runner, &console, frame);
+        console.first = false;
         report(runner, &console, frame);
     }
     return status;

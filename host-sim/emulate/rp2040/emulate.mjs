@@ -18,6 +18,7 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --dc PIN            the panel's D/C (required)
   --select PIN        the panel's chip select
   --press FRAME:PINS  from this frame (-1: power-on) on the pins (12+13, or none) are low; may be given several times
+  --clock US          what the chip's timer tells at power-on (0)
   --charge US         a pin reads low until US after its pull-up is turned on (0)
   --send FRAME:TEXT   to the image's UART when this frame begins
   --fault FRAME       a hard fault when this frame begins
@@ -34,7 +35,7 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --limit-ms N        ends with an error when so much emulated time has passed (60000)
 The image's UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.`;
 
-const XOSC = 0x40024;
+const XOSC = 0x40024, TIMER = 0x40054;
 
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
@@ -44,7 +45,7 @@ const { values: options, positionals } = parseArgs({
     report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
     press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
     jump: { type: 'string', multiple: true, default: [] },
-    accesses: { type: 'string' }, delays: { type: 'string' }, charge: { type: 'string', default: '0' }, fault: { type: 'string' }, chip: { type: 'string', default: '' }, calls: { type: 'string' },
+    accesses: { type: 'string' }, delays: { type: 'string' }, clock: { type: 'string', default: '0' }, charge: { type: 'string', default: '0' }, fault: { type: 'string' }, chip: { type: 'string', default: '' }, calls: { type: 'string' },
     'free-wire': { type: 'boolean', default: false }, 'free-flash': { type: 'boolean', default: false }, 'limit-ms': { type: 'string', default: '60000' },
     help: { type: 'boolean', default: false },
   },
@@ -171,6 +172,8 @@ const machine = makeMachine(lib, {
 machine.freeWire = options['free-wire'];
 machine.freeFlash = options['free-flash'];
 machine.chargeUs = Number(options.charge);
+const { clock } = machine.mcu, clockNs = Number(options.clock) * 1e3;
+machine.mcu.peripherals[TIMER].clock = { get nanos() { return clock.nanos + clockNs; } };
 
 // A core waits for a random time after a random number of instructions.
 function addDelays(seed) {
