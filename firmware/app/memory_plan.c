@@ -26,14 +26,14 @@ struct picture_memory memory_plan_picture(const struct runner_config *config, ui
     struct picture_memory p = {.width = panel_width(panel, config->rotation),
                                .height = panel_height(panel, config->rotation),
                                .buffers = BUFFERS_MIN};
-    const uint32_t samples = config->antialias ? 4 : 1; /* samples a pixel */
+    const uint32_t samples = config->antialiasing != NULL ? 4 : 1; /* samples a pixel */
     p.lines = lines < p.height ? lines : p.height;
     p.lines = (uint16_t)((p.lines + samples - 1) / samples);
     p.bands = p.lines > 0 ? (p.height + p.lines - 1U) / p.lines : 0;
     const uint32_t pixels = (uint32_t)p.width * p.lines;
     p.band_bytes = (uint32_t)ROUND8(2 * pixels);
     p.depth_bytes = (uint32_t)ROUND8(ph_depth_bytes(config->depth_format) * pixels * samples);
-    p.sample_bytes = config->antialias ? (uint32_t)ROUND8(2 * pixels * samples) : 0;
+    p.sample_bytes = config->antialiasing != NULL ? (uint32_t)ROUND8(2 * pixels * samples) : 0;
     p.bin_bytes = (uint32_t)ROUND8(4 * p.bands);
     if (sender_copies(config)) { /* the driver collects windows in its scratch memory */
         p.wire_bytes = WIRE_MAX;

@@ -41,7 +41,8 @@ static int open_renderer(struct runner *runner, const struct picture_memory *p, 
                                      .bins = runner->bins,
                                      .bin_max = p->bands,
                                      .depth = runner->depth,
-                                     .samples = runner->samples};
+                                     .samples = runner->samples,
+                                     .antialiasing = runner->config.antialiasing};
     return ph_renderer_init(&runner->renderer, &config);
 }
 

@@ -32,7 +32,8 @@ struct runner_config {
                                    Without a queue in the backend tiles are not used: every frame is sent whole */
     void *memory;               /* 8-byte aligned; the runner's until runner_close */
     size_t memory_bytes;        /* runner_bytes() or more */
-    bool antialias;             /* 2 x 2 samples a pixel, in bands of a quarter of band_height: about the same memory */
+    const struct ph_antialiasing *antialiasing; /* PH_ANTIALIAS_2X2: 2 x 2 samples a pixel, in bands of a quarter of
+                                                   band_height: about the same memory. Or NULL */
 };
 
 #endif

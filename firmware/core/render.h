@@ -285,6 +285,11 @@ struct ph_cores;
 extern const struct ph_cores ph_two_cores;
 #define PH_TWO_CORES (&ph_two_cores)
 
+/* How an antialiased picture is made: an address, for struct ph_config. */
+struct ph_antialiasing;
+extern const struct ph_antialiasing ph_antialias_2x2;
+#define PH_ANTIALIAS_2X2 (&ph_antialias_2x2)
+
 struct ph_vertex;   /* a transformed vertex, see vertex.h */
 struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 
@@ -330,10 +335,11 @@ struct ph_config {
 
     uint8_t depth_exponent; /* FLOAT16 and FLOAT24: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
 
-    /* Antialiasing, optional: room for 4 * width * band_height pixels, 4-byte aligned. Then a pixel is the mean of 2 x
-     * 2 samples, depth has 4 times the room as well, and width and height are at most 512. Lower bands make up for the
-     * memory. A band without anything in it leaves the samples as they were. */
+    /* Antialiasing, optional, both or none: room for 4 * width * band_height pixels, 4-byte aligned. Then a pixel is
+     * the mean of 2 x 2 samples, depth has 4 times the room as well, and width and height are at most 512. Lower bands
+     * make up for the memory. A band without anything in it leaves the samples as they were. */
     uint16_t *samples;
+    const struct ph_antialiasing *antialiasing; /* PH_ANTIALIAS_2X2: a program links it if it names it */
 };
 
 /* Fog: from `start` on all colours turn towards the fog's, and from `end` on they have become it. Distances are along
@@ -423,8 +429,8 @@ struct ph_renderer {
 
 /*
  * Initialises r with a copy of config.
- * Errors: PH_ERR_INVAL: a size, a pointer or its alignment is wrong, or other_core lacks its
- *         other_core_join or cores. PH_ERR_NOMEM: bin_max is below the number of bands. After an error r refuses all
+ * Errors: PH_ERR_INVAL: a size, a pointer or its alignment is wrong, other_core lacks its other_core_join or cores, or
+ *         samples lacks antialiasing. PH_ERR_NOMEM: bin_max is below the number of bands. After an error r refuses all
  * calls but this one.
  */
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);

@@ -34,7 +34,7 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
                                    .view = setup->view,
                                    .camera = setup->camera,
                                    .overlay = setup->overlay,
-                                   .antialias = setup->antialias};
+                                   .antialiasing = setup->antialias ? PH_ANTIALIAS_2X2 : NULL};
     const uint16_t width = panel_width(board->panel, setup->rotation);
     const uint16_t height = panel_height(board->panel, setup->rotation);
     config.memory_bytes = runner_bytes(&config);

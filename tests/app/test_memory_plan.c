@@ -113,7 +113,7 @@ static void antialiasing_takes_a_quarter_of_the_lines_and_four_samples_a_pixel(v
 {
     (void)state;
     struct runner_config config = config_of(0);
-    config.antialias = true;
+    config.antialiasing = PH_ANTIALIAS_2X2;
     const struct picture_memory p = memory_plan_picture(&config, 16);
     assert_int_equal(p.lines, 4);
     assert_int_equal(p.bands, 60);
@@ -269,7 +269,7 @@ static void with_antialiasing_a_line_is_two_triangles(void **state)
 {
     (void)state;
     struct runner_config config = config_of(200000);
-    config.antialias = true;
+    config.antialiasing = PH_ANTIALIAS_2X2;
     const struct memory_plan plan = memory_plan(&config, &thing);
     assert_int_equal(plan.scene.triangle_max, 600);
     assert_int_equal(plan.scene.list_bytes, 120 * 16 + 600 * 8 + 160 * 144);

@@ -88,7 +88,8 @@ static struct ph_renderer renderer_of(const struct view *view)
                                      .bins = bins,
                                      .bin_max = HEIGHT,
                                      .depth = (void *)depth,
-                                     .samples = view->antialias ? samples : NULL};
+                                     .samples = view->antialias ? samples : NULL,
+                                     .antialiasing = PH_ANTIALIAS_2X2};
     struct ph_renderer r;
     if (ph_renderer_init(&r, &config) != PH_OK) {
         machine_print("cliffs: the renderer refuses a picture\n");

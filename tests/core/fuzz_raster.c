@@ -162,6 +162,7 @@ static uint16_t *fence_pixels(struct ph_config *config, bool has_samples, struct
     config->depth = fence(&memory->depth, samples * ph_depth_bytes(config->depth_format));
     uint16_t *const all = fence(&memory->samples, has_samples ? 2 * samples : 0);
     config->samples = has_samples ? all : NULL;
+    config->antialiasing = PH_ANTIALIAS_2X2;
     return fence(&memory->pixels, area * 2);
 }
 

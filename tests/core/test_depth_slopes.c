@@ -908,6 +908,7 @@ static void draw_twice(const struct sphere *s, enum ph_depth_format format, bool
     rig_open(&rig, WIDTH, HEIGHT, 16, format, CORNERS, 4 * FACES);
     struct ph_config config = rig.r.config;
     config.samples = antialiased ? samples : NULL;
+    config.antialiasing = PH_ANTIALIAS_2X2;
     config.depth = antialiased ? samples_depth : config.depth;
     assert_int_equal(ph_renderer_init(&rig.r, &config), PH_OK);
     draw_spheres(&rig, s, NULL);

@@ -504,6 +504,7 @@ static void impossible_configurations_are_refused(void **state)
     bad[12].depth = (uint8_t *)good.depth + 2;
     bad[12].depth_format = PH_DEPTH_FLOAT24;
     bad[13].depth = (uint8_t *)good.depth + 2;
+    bad[13].antialiasing = PH_ANTIALIAS_2X2;
     bad[13].samples = (uint16_t *)good.depth; /* its depth is drawn by words */
     bad[14].shown = (uint16_t *)(void *)((uint8_t *)good.bins + 1);
     bad[15].bin_max = 0;

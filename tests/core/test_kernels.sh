@@ -17,7 +17,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fx_mul fill span_flat span_blend line_pixels halve small_gouraud small_knee samples_gouraud long_gouraud setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
+loops=(fx_mul fill span_flat span_blend line_pixels halve small_gouraud small_knee long_gouraud setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -108,8 +108,6 @@ long "a_blend_without_its_rest_for_armv6m_is_seen" change_is_seen armv6m span_bl
 long "a_blend_of_what_is_hidden_for_armv7m_is_seen" change_is_seen armv7m span_blend 's/bhs 2f/bhi 2f/'
 long "a_hidden_pixel_of_a_line_for_armv6m_is_seen" change_is_seen armv6m line_pixels 's/bls 1f/blo 1f/'
 long "a_sample_counted_twice_for_armv6m_is_seen" change_is_seen armv6m halve 's/cmp r4, r6/cmp r4, r4/'
-long "a_hidden_pair_of_samples_drawn_for_armv7m_is_seen" change_is_seen armv7m samples_gouraud 's/orrs r0, r1/movs r0, r0/'
-long "the_second_row_of_a_pixel_forgotten_for_armv7m_is_seen" change_is_seen armv7m samples_gouraud 's/add r10, r3, r2, lsl #31/mov r10, r3/'
 long "a_fourth_pixel_of_two_colours_for_armv7m_is_seen" change_is_seen armv7m halve 's/cmpeq r7, r7, ror #16/cmpeq r7, r7/'
 short "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/r6, r10, r11, r0, r1$/r10, r6, r11, r0, r1/'
 long "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'
@@ -134,10 +132,6 @@ long "a_hidden_pixel_drawn_for_rv32_is_seen" change_is_seen rv32 span_flat 's/bg
 long "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/beqz a0, done/j done/' 'small_gouraud small_knee long_gouraud'
 long "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/srli s10, a3, 1/srli s10, a3, 2/' long_gouraud
 long "a_knee_forgotten_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/add t1, t1, t3/nop/' small_knee
-long "a_hidden_sample_drawn_for_rv32_is_seen" change_is_seen rv32 samples_gouraud 's/bgeu t0, .code, 1f/bgtu t0, \\code, 1f/'
-long "a_taken_pixel_drawn_over_for_rv32_is_seen" change_is_seen rv32 samples_gouraud 's/bnez t0, samples_/bltz t0, samples_/'
-long "a_pixel_drawn_twice_in_a_long_row_for_rv32_is_seen" change_is_seen rv32 samples_gouraud 's/addi t2, t5, -64/addi t2, t5, -60/'
-long "light_of_another_pixel_row_for_rv32_is_seen" change_is_seen rv32 samples_gouraud 's/xor s3, s3, s10/nop/'
 long "a_sample_counted_twice_for_rv32_is_seen" change_is_seen rv32 halve 's/turn t3, t1/mv t3, t1/'
 long "a_pixel_of_two_colours_for_rv32_is_seen" change_is_seen rv32 halve 's/bne t0, t2, mean_/bne t0, t0, mean_/'
 long "a_texel_beside_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/ori t4, t0, 1$/ori t4, t0, 3/'
@@ -153,8 +147,6 @@ if [ "$(uname -m)" = x86_64 ]; then
     short "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
     short "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
     long "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen gouraud8.h 's/switch (n & 7)/switch (n \& 3)/'
-    long "a_hidden_sample_drawn_for_x86_64_is_seen" vector_change_is_seen samples_gouraud.c 's/_mm_andnot_si128(hidden, change)/change/'
-    long "light_of_another_pixel_row_for_x86_64_is_seen" vector_change_is_seen samples_gouraud.c 's|(rows->light & 1) == 0|(rows->light \& 1) != 0|'
     long "half_the_green_of_a_mean_for_x86_64_is_seen" vector_change_is_seen halve.c 's/_mm_slli_epi16(green, 13)/_mm_setzero_si128()/'
     long "a_sample_left_out_of_a_mean_for_x86_64_is_seen" vector_change_is_seen halve.c 's/lower + 2 \* at/lower + at/'
     long "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen texels2.h 's/((uint64_t)1 << 26 | 1)/((uint64_t)1 << 27 | 1)/'

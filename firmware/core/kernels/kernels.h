@@ -102,12 +102,6 @@ uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth
 uint32_t ph_long_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
                          uint32_t stride_bytes);
 
-/* samples_gouraud.c: draws a triangle of PH_KIND_SMALL_SAMPLES, whose light is as light_pixels of setup.c leaves it.
- * Rows of depth and of pixels begin at whole words. depth, pixels: of column 0 of its first row. Returns its samples.
- */
-uint32_t ph_samples_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
-                            uint32_t stride_bytes);
-
 /* small_knee.c: draws a triangle of PH_KIND_SMALL_KNEE as ph_small_gouraud does one without a knee. */
 uint32_t ph_small_knee(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);
 

@@ -163,18 +163,19 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
     struct ph_coarse coarse[2]; /* the other core has its own, for its rows */
     coarse[0].count = coarse[1].count = 0;
     struct ph_band rows = {NULL, r->config.depth, depth24, r->config.width, y0, y1, r->config.width, coarse};
-    rows.pixels = r->samples_log2 != 0
+    const struct ph_antialiasing *const antialiasing = r->config.antialiasing;
+    rows.pixels = antialiasing != NULL
                       ? r->config.samples
                       : pixels; /* an assignment, not an initialiser: else clang-tidy asks for a const pointer */
     struct ph_columns in;       /* set only with samples */
-    if (r->samples_log2 != 0) {
-        ph_samples_columns(r, band, &in);
+    if (antialiasing != NULL) {
+        antialiasing->find_columns(r, band, &in);
     }
     struct ph_feed f;
     ph_feed_start(&f, r, band);
-    if (r->samples_log2 == 0 || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) {
-        if (r->samples_log2 != 0) {
-            ph_samples_clear(&rows, &in, r->background);
+    if (antialiasing == NULL || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) {
+        if (antialiasing != NULL) {
+            antialiasing->clear_samples(&rows, &in, r->background);
         }
         draw_triangles(&f, &rows);
         if (r->after != NULL) {
@@ -186,8 +187,8 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
     } else {
         ph_clear_depth(&rows); /* a blur reads it; nobody reads a sample */
     }
-    if (r->samples_log2 != 0) {
-        ph_samples_resolve(&rows, &in, r->background, pixels);
+    if (antialiasing != NULL) {
+        antialiasing->resolve_samples(&rows, &in, r->background, pixels);
     }
     return (uint32_t)(y1 - y0) >> r->samples_log2;
 }

@@ -38,7 +38,8 @@ static int check_config(const struct ph_config *config)
         config->triangle_max == PH_NONE ||
         ((uintptr_t)config->vertices | (uintptr_t)config->triangles) % sizeof(void *) != 0 ||
         (uintptr_t)config->bins % sizeof(uint32_t) != 0 || (uintptr_t)config->shown % sizeof(uint16_t) != 0 ||
-        (config->other_core != NULL && (config->other_core_join == NULL || config->cores == NULL))) {
+        (config->other_core != NULL && (config->other_core_join == NULL || config->cores == NULL)) ||
+        (config->samples != NULL && config->antialiasing == NULL)) {
         return PH_ERR_INVAL;
     }
     return config->bin_max < (height + lines - 1) / lines ? PH_ERR_NOMEM : PH_OK;
@@ -62,6 +63,7 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
                               .inner_y = inner(height << samples_log2),
                               .band_count = (height + lines - 1) / lines,
                               .samples_log2 = (uint8_t)samples_log2};
+    r->config.antialiasing = samples_log2 != 0 ? config->antialiasing : NULL;
     r->config.width = (uint16_t)(width << samples_log2);
     r->config.height = (uint16_t)(height << samples_log2);
     r->config.band_height = (uint16_t)(lines << samples_log2);

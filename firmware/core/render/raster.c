@@ -13,67 +13,8 @@
 #include "raster_exact.h"
 #include "raster_large.h"
 #include "raster_rows.h"
+#include "samples.h"
 #include "shading.h"
-
-/* Steps n rows down, which are fewer than the upper ones. */
-static inline void skip_upper_rows(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
-{
-    r->left += n * r->left_dx;
-    r->right += n * r->right_dx;
-    r->d += n * r->d_dy;
-    r->light += n * r->light_dy;
-    r->upper_rows = (uint16_t)(upper_rows - n);
-    r->lower_rows = (uint16_t)lower_rows;
-}
-
-/* Steps n rows down, through both halves, which have so many rows. */
-static inline void skip_rows_of(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
-{
-    if (n < upper_rows) {
-        skip_upper_rows(r, n, upper_rows, lower_rows);
-        return;
-    }
-    const uint32_t below = n - upper_rows, dx = (uint32_t)r->lower.dx, x = (uint32_t)r->lower.x + below * dx;
-    r->d += n * r->d_dy;
-    r->light += n * r->light_dy;
-    if (r->lower_is_right) {
-        r->left += n * r->left_dx;
-        r->right = x;
-        r->right_dx = dx;
-    } else {
-        r->right += n * r->right_dx;
-        r->left = x;
-        r->left_dx = dx;
-    }
-    r->upper_rows = (uint16_t)(lower_rows - below);
-    r->lower_rows = 0;
-}
-
-PH_TIER(loop) static FX_APART void skip_rows(struct ph_small_triangle *r, uint32_t n)
-{
-    skip_rows_of(r, n, r->upper_rows, r->lower_rows);
-}
-
-/* Cuts a triangle down to its rows in the band. Returns the place of the first of them. */
-PH_TIER(loop)
-static FX_APART struct ph_place cut_rows(const struct ph_triangle *t, const struct ph_band *band,
-                                         struct ph_small_triangle *r)
-{
-    int32_t y = t->y_top - band->y0;
-    if (y < 0) {
-        skip_rows(r, 0u - (uint32_t)y);
-        y = 0;
-    }
-    const uint32_t rows = (uint32_t)(band->y1 - band->y0 - y), upper_rows = r->upper_rows;
-    if (upper_rows >= rows) {
-        r->upper_rows = (uint16_t)rows;
-        r->lower_rows = 0;
-    } else if (r->lower_rows > rows - upper_rows) {
-        r->lower_rows = (uint16_t)(rows - upper_rows);
-    }
-    const uint32_t stride = band->stride, start = (uint32_t)y * stride;
-    return (struct ph_place){(uint16_t *)band->depth + start, band->pixels + start, stride, false};
-}
 
 /* Draws the rows of a small triangle that are left. */
 static inline uint32_t draw_left(const struct ph_triangle *t, const struct ph_small_triangle *r,
@@ -83,19 +24,11 @@ static inline uint32_t draw_left(const struct ph_triangle *t, const struct ph_sm
                                          : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
 }
 
-/* Sets the light of a small triangle of samples after n rows were skipped: it steps by pixels, see light_pixels in
- * setup.c. */
-static PH_NOINLINE void mend_light(struct ph_small_triangle *r, uint32_t n)
-{
-    const uint32_t light = r->light - n * r->light_dy, rows = (light & 1) + n; /* from the first pixel's on */
-    r->light = (light & ~(uint32_t)1) + rows / 2 * (r->light_dy + 1) + (rows & 1);
-}
-
 /* Draws a small triangle that the band cuts, or that has a knee. */
 PH_TIER(loop) static PH_NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->as.small.rows;
-    const struct ph_place at = cut_rows(t, band, &r);
+    const struct ph_place at = ph_cut_rows(t, band, &r);
     return draw_left(t, &r, &at);
 }
 
@@ -103,60 +36,15 @@ PH_TIER(loop) static PH_NOINLINE uint32_t draw_cut(const struct ph_triangle *t, 
 PH_TIER(scenery) static PH_NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->as.small.rows;
-    const struct ph_place at = cut_rows(t, band, &r);
+    const struct ph_place at = ph_cut_rows(t, band, &r);
     return ph_draw_rows_split(t, &r, at, NULL);
-}
-
-/* Draws a small triangle of samples. */
-static PH_NOINLINE uint32_t draw_samples(const struct ph_triangle *t, const struct ph_band *band)
-{
-    const uint32_t stride_bytes = 2 * (uint32_t)band->stride;
-    if (t->y_top >= band->y0 && t->y_bottom <= band->y1) {
-        const uint32_t start = (uint32_t)(t->y_top - band->y0) * band->stride;
-        return ph_samples_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start,
-                                  stride_bytes);
-    }
-    struct ph_small_triangle r = t->as.small.rows;
-    const struct ph_place at = cut_rows(t, band, &r);
-    if (t->y_top < band->y0) {
-        mend_light(&r, (uint32_t)(band->y0 - t->y_top));
-    }
-    return ph_samples_gouraud(&r, at.depth, at.pixels, stride_bytes);
-}
-
-/* ph_draw_above for a small triangle of samples. */
-static PH_NOINLINE uint32_t draw_samples_above(struct ph_triangle *t, const struct ph_band *band)
-{
-    struct ph_small_triangle *const small = &t->as.small.rows;
-    if (t->y_top < band->y0) {
-        ph_step_below(t, band->y0);
-    }
-    const uint16_t upper_rows = small->upper_rows, lower_rows = small->lower_rows;
-    const struct ph_place at = cut_rows(t, band, small);
-    const uint32_t count = ph_samples_gouraud(small, at.depth, at.pixels, 2 * at.stride);
-    small->upper_rows = upper_rows;
-    small->lower_rows = lower_rows;
-    ph_step_below(t, band->y1);
-    return count;
-}
-
-/* Draws a triangle that is small but for its long rows. */
-static PH_NOINLINE uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *band)
-{
-    struct ph_small_triangle r = t->as.small.rows;
-    struct ph_place at = cut_rows(t, band, &r);
-    if (t->block != PH_BLOCK_NONE) {
-        at.long_rows = true;
-        return ph_draw_rows_split(t, &r, at, NULL);
-    }
-    return ph_long_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
 }
 
 /* Draws a small textured triangle that crosses octaves. */
 PH_TIER(few) static PH_NOINLINE uint32_t draw_split_texture(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->as.small.rows;
-    const struct ph_place at = cut_rows(t, band, &r);
+    const struct ph_place at = ph_cut_rows(t, band, &r);
     struct ph_small_texels texels;
     t->material->shading->texturing.begin_texels(&texels, t, t->y_top > band->y0 ? t->y_top : band->y0, 2 * at.stride);
     return ph_draw_rows_split(t, &r, at, &texels);
@@ -204,11 +92,8 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
     if (t->kind == PH_KIND_SMALL_SPLIT) {
         return draw_split(t, band);
     }
-    if (t->kind == PH_KIND_SMALL_SAMPLES) {
-        return draw_samples(t, band);
-    }
     if (t->kind == PH_KIND_SMALL_LONG) {
-        return draw_long(t, band);
+        return t->as.small.of.antialiasing->draw_long(t, band);
     }
     if (t->kind >= PH_KIND_LINE) {
         return t->as.line.lines->draw_line(t, band);
@@ -234,23 +119,15 @@ PH_TIER(loop) void ph_step_below(struct ph_triangle *t, int32_t y1)
         t->as.line.lines->step_line(t, y1);
         return;
     }
-    const bool has_samples = t->kind == PH_KIND_SMALL_SAMPLES;
-    if (has_samples || can_step(t)) {
-        const uint32_t rows = (uint32_t)(y1 - t->y_top);
-        skip_rows(&t->as.small.rows, rows);
+    if (can_step(t)) {
+        ph_skip_rows(&t->as.small.rows, (uint32_t)(y1 - t->y_top));
         t->y_top = (int16_t)y1;
-        if (has_samples) {
-            mend_light(&t->as.small.rows, rows);
-        }
     }
 }
 
 /* The general case of ph_draw_above: draws the triangle, then steps it down to the next band. */
 PH_TIER(loop) static PH_NOINLINE uint32_t draw_then_step(struct ph_triangle *t, const struct ph_band *band)
 {
-    if (t->kind == PH_KIND_SMALL_SAMPLES) {
-        return draw_samples_above(t, band);
-    }
     const uint32_t count = ph_draw_triangle(t, band);
     ph_step_below(t, band->y1);
     return count;
@@ -270,11 +147,11 @@ PH_TIER(scenery) uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_b
         small->upper_rows = (uint16_t)rows;
         small->lower_rows = 0;
         const uint32_t count = draw_left(t, small, &at);
-        skip_upper_rows(small, rows, upper_rows, lower_rows);
+        ph_skip_upper_rows(small, rows, upper_rows, lower_rows);
         return count;
     }
     small->lower_rows = (uint16_t)(rows - upper_rows);
     const uint32_t count = draw_left(t, small, &at);
-    skip_rows_of(small, rows, upper_rows, lower_rows);
+    ph_skip_rows_of(small, rows, upper_rows, lower_rows);
     return count;
 }

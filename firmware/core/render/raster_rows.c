@@ -10,6 +10,31 @@
 #include "shading.h"
 #include "span.h"
 
+PH_TIER(loop) FX_APART void ph_skip_rows(struct ph_small_triangle *r, uint32_t n)
+{
+    ph_skip_rows_of(r, n, r->upper_rows, r->lower_rows);
+}
+
+PH_TIER(loop)
+FX_APART struct ph_place ph_cut_rows(const struct ph_triangle *t, const struct ph_band *band,
+                                     struct ph_small_triangle *r)
+{
+    int32_t y = t->y_top - band->y0;
+    if (y < 0) {
+        ph_skip_rows(r, 0u - (uint32_t)y);
+        y = 0;
+    }
+    const uint32_t rows = (uint32_t)(band->y1 - band->y0 - y), upper_rows = r->upper_rows;
+    if (upper_rows >= rows) {
+        r->upper_rows = (uint16_t)rows;
+        r->lower_rows = 0;
+    } else if (r->lower_rows > rows - upper_rows) {
+        r->lower_rows = (uint16_t)(rows - upper_rows);
+    }
+    const uint32_t stride = band->stride, start = (uint32_t)y * stride;
+    return (struct ph_place){(uint16_t *)band->depth + start, band->pixels + start, stride, false};
+}
+
 /* Steps n rows down. At most all of the upper rows are passed; then the lower edge takes over. */
 PH_TIER(scenery) static void step_rows(struct ph_small_triangle *r, uint32_t n)
 {

@@ -19,6 +19,46 @@ struct ph_place {
     bool long_rows;  /* rows may leave the picture, or have more than PH_SMALL_COLUMNS pixels */
 };
 
+/* Steps n rows down, which are fewer than the upper ones. */
+static inline void ph_skip_upper_rows(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
+{
+    r->left += n * r->left_dx;
+    r->right += n * r->right_dx;
+    r->d += n * r->d_dy;
+    r->light += n * r->light_dy;
+    r->upper_rows = (uint16_t)(upper_rows - n);
+    r->lower_rows = (uint16_t)lower_rows;
+}
+
+/* Steps n rows down, through both halves, which have so many rows. */
+static inline void ph_skip_rows_of(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
+{
+    if (n < upper_rows) {
+        ph_skip_upper_rows(r, n, upper_rows, lower_rows);
+        return;
+    }
+    const uint32_t below = n - upper_rows, dx = (uint32_t)r->lower.dx, x = (uint32_t)r->lower.x + below * dx;
+    r->d += n * r->d_dy;
+    r->light += n * r->light_dy;
+    if (r->lower_is_right) {
+        r->left += n * r->left_dx;
+        r->right = x;
+        r->right_dx = dx;
+    } else {
+        r->right += n * r->right_dx;
+        r->left = x;
+        r->left_dx = dx;
+    }
+    r->upper_rows = (uint16_t)(lower_rows - below);
+    r->lower_rows = 0;
+}
+
+/* Steps a small triangle n rows down, through both halves. */
+void ph_skip_rows(struct ph_small_triangle *r, uint32_t n);
+
+/* Cuts r, the rows of t or a copy of them, down to its rows in the band. Returns the place of the first of them. */
+struct ph_place ph_cut_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_small_triangle *r);
+
 /* Draws the part of a Gouraud triangle that lies in the band, with depth of 16 bits. Returns the pixels tested. */
 uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band);
 

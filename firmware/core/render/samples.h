@@ -1,10 +1,17 @@
 /*
- * samples: an antialiased picture's pixels from its samples. Private to firmware/core.
+ * samples: antialiased pictures, whose pixels have four samples each. Private to firmware/core.
+ *
+ * struct ph_config names the struct ph_antialiasing, and nothing else refers to what it names: so the linker leaves it
+ * out of a program that draws without. samples.c makes pixels of a band's samples, samples_triangles.c has what is
+ * particular about the triangles and lines of samples.
  */
 #ifndef PH_SAMPLES_H
 #define PH_SAMPLES_H
 
 #include "band.h"
+
+struct ph_fast;
+struct ph_setting;
 
 /* Columns, from the first to behind the last. */
 struct ph_columns {
@@ -19,5 +26,21 @@ void ph_samples_clear(const struct ph_band *rows, const struct ph_columns *in, u
 
 /* Makes pixels of the samples of a band; outside `in` they are the background's. */
 void ph_samples_resolve(const struct ph_band *rows, const struct ph_columns *in, uint16_t background, uint16_t *pixels);
+
+struct ph_antialiasing {
+    /* The functions above. */
+    void (*find_columns)(struct ph_renderer *r, uint32_t band, struct ph_columns *in);
+    void (*clear_samples)(const struct ph_band *rows, const struct ph_columns *in, uint16_t background);
+    void (*resolve_samples)(const struct ph_band *rows, const struct ph_columns *in, uint16_t background,
+                            uint16_t *pixels);
+    /* Lets ph_setup_fast take longer sides. */
+    void (*widen)(struct ph_fast *fast);
+    /* Makes a small triangle with a plane of codes that has long rows one of PH_KIND_SMALL_LONG. */
+    void (*set_kind)(const struct ph_setting *s, struct ph_triangle *t);
+    /* Sets up a line. */
+    void (*setup_sample_line)(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t);
+    /* Draws a triangle of PH_KIND_SMALL_LONG. */
+    uint32_t (*draw_long)(const struct ph_triangle *t, const struct ph_band *band);
+};
 
 #endif

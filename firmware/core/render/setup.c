@@ -16,11 +16,9 @@ PH_TIER(mesh) static inline int fx_clz32(uint32_t v);
 #include "kernels.h"
 #include "line.h"
 #include "planes.h"
+#include "samples.h"
 #include "small_texels.h"
 #include "texels.h"
-
-/* Entries of the ramp a sample, 1.75; there is room for 4 beyond the corners. */
-#define LIGHT_GENTLE ((uint32_t)7 << 23)
 
 /* The edge from a down to b at row y0, which it reaches, in 64 bits. A step down a row has 16 bits behind the point.
  * From a corner far above the picture thousands of them would lose up to 1/16 px, so y0 is reached at once. */
@@ -243,18 +241,6 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     }
 }
 
-/* Lets ph_setup_fast take longer sides where pixels are samples, if the picture is large enough. */
-static PH_NOINLINE void widen_fast(struct ph_fast *fast)
-{
-    const uint32_t more = PH_SIDE_SHORT - PH_SIDE_SMALL;
-    if (fast->inner_x > 2 * more && fast->inner_y > 2 * more) {
-        fast->side += more;
-        fast->margin += more;
-        fast->inner_x -= 2 * more;
-        fast->inner_y -= 2 * more;
-    }
-}
-
 PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw)
 {
     const struct ph_material *const material = draw->material;
@@ -273,17 +259,17 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
                 : corners == PH_FIRST_CORNER ? PH_FROM_FIRST_LIGHT
                                              : PH_FROM_LIGHT;
     s->set_texels = textured ? material->shading->texturing.set_texels : NULL;
-    s->has_samples = r->samples_log2 != 0;
-    s->takes_narrow = s->source == PH_FROM_TEXELS || s->has_samples;
-    s->keeps_light = s->source == PH_FROM_LIGHT && !s->has_samples;
+    s->antialiasing = r->config.antialiasing;
+    s->takes_narrow = s->source == PH_FROM_TEXELS || s->antialiasing != NULL;
+    s->keeps_light = s->source == PH_FROM_LIGHT && s->antialiasing == NULL;
     s->floats = r->depth.coding == PH_DEPTH_IS_FLOAT;
     s->fast.lens = s->floats ? &r->lens : NULL;
     s->fast.side = PH_SIDE_SMALL;
     s->fast.margin = PH_SIDE_SMALL + 256;
     s->fast.inner_x = r->inner_x;
     s->fast.inner_y = r->inner_y;
-    if (s->has_samples && !textured) {
-        widen_fast(&s->fast);
+    if (s->antialiasing != NULL && !textured) {
+        s->antialiasing->widen(&s->fast);
     }
     s->fast.material = material;
     const bool fast =
@@ -292,43 +278,6 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->has_fast_texels = fast && textured;
     s->fast.bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
                              : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
-}
-
-/* Converts the light of samples to the light of pixels. Light stays in the plane's 32 bits: one that wraps is the right
- * one at the samples, and what is added is gentle, wrapped or not. Bit 0 says that a row is the second one of its
- * pixels. */
-static void light_pixels(struct ph_small_triangle *small, uint32_t is_second)
-{
-    const uint32_t gx = small->glight, gy = small->light_dy;
-    const uint32_t across = (uint32_t)((int32_t)gx / 2), down = (uint32_t)((int32_t)gy / 2);
-    small->light = ((small->light + across + (is_second ? 0u - down : down)) & ~(uint32_t)1) | is_second;
-    small->glight = 2 * gx;
-    small->light_dy = 2 * gy - 1;
-}
-
-/* The samples of a pixel get one light, where light is gentle: then a small triangle with a plane of codes becomes one
- * of PH_KIND_SMALL_SAMPLES. False: it stays as it is. */
-static inline bool share_light(struct ph_triangle *t)
-{
-    struct ph_small_triangle *const small = &t->as.small.rows;
-    if (ph_without_sign((int32_t)small->glight) + ph_without_sign((int32_t)small->light_dy) > LIGHT_GENTLE) {
-        return false;
-    }
-    t->kind = PH_KIND_SMALL_SAMPLES;
-    light_pixels(small, (uint32_t)t->y_top & 1);
-    return true;
-}
-
-/* Whether a triangle has rows of more pixels than small ones. Rows are longest at one end of the upper ones, or where
- * the lower ones begin. */
-static bool has_long_rows(const struct ph_small_triangle *small)
-{
-    const int32_t most = PH_SMALL_COLUMNS << 16;
-    const uint32_t rows = small->upper_rows, first = small->right - small->left;
-    const uint32_t last = first + (rows - 1) * (small->right_dx - small->left_dx), x = (uint32_t)small->lower.x;
-    const uint32_t below =
-        small->lower_is_right ? x - (small->left + rows * small->left_dx) : small->right + rows * small->right_dx - x;
-    return (int32_t)first >= most || (int32_t)last >= most || (small->lower_rows > 0 && (int32_t)below >= most);
 }
 
 /* Sets the light of a small triangle whose corners share one light. */
@@ -340,25 +289,15 @@ static inline void set_light(const struct ph_setting *s, const struct ph_vertex 
     }
 }
 
-/* Gives the light of samples, or sets up a triangle whose third side may be no short one. */
-static PH_NOINLINE void set_samples_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+PH_TIER(mesh) void ph_set_fast_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    if (t->y_bottom - t->y_top >= (int32_t)(PH_SIDE_SHORT / 256)) {
-        ph_setup_general(s, ref, PH_SMALL_SET, t);
+    if (s->antialiasing != NULL && t->y_bottom - t->y_top >= (int32_t)(PH_SIDE_SHORT / 256)) {
+        ph_setup_general(s, ref, PH_SMALL_SET, t); /* its third side may be no short one */
         return;
     }
     set_light(s, &s->fast.base[ref->corner[0]], t);
-    if (!share_light(t) && has_long_rows(&t->as.small.rows)) {
-        t->kind = PH_KIND_SMALL_LONG;
-    }
-}
-
-PH_TIER(mesh) void ph_set_fast_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
-{
-    if (s->has_samples) {
-        set_samples_light(s, ref, t);
-    } else {
-        set_light(s, &s->fast.base[ref->corner[0]], t);
+    if (s->antialiasing != NULL) {
+        s->antialiasing->set_kind(s, t);
     }
 }
 
@@ -380,7 +319,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         (done == PH_SMALL_STEEP && s->fast.side == PH_SIDE_SMALL) || (ph_sides_are_small(sides) && is_inside(r, v));
     const enum excess excess = as_small ? NARROW : excess_of(s, sides, v);
     const bool small =
-        as_small || (r->samples_log2 != 0 && excess != LARGE); /* in all shadings its depth is set up as there */
+        as_small || (s->antialiasing != NULL && excess != LARGE); /* in all shadings its depth is set up as there */
     uint32_t d[3];
     if (!s->is_small || excess == LARGE || (excess == LONG_ROWS && s->source == PH_FROM_TEXELS)) {
         setup_other(s, v, uv, sides, small, t);
@@ -411,15 +350,13 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         }
     } else {
         if (excess == LONG_ROWS) {
-            t->kind = PH_KIND_SMALL_LONG;
+            t->kind = PH_KIND_SMALL_LONG; /* only samples have it */
+            t->as.small.of.antialiasing = s->antialiasing;
         } else if (t->block != PH_BLOCK_NONE) {
             t->kind = PH_KIND_SMALL_SPLIT;
             ph_set_knee(t, d);
         }
         set_light(s, v[0], t);
-        if (s->has_samples && t->block == PH_BLOCK_NONE && t->kind != PH_KIND_SMALL_KNEE) {
-            share_light(t);
-        }
     }
 }
 
@@ -435,14 +372,6 @@ static PH_NOINLINE void setup_corners(const struct ph_setting *s, const struct p
     }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
     setup_front(s, v, uv, &sides, PH_SMALL_NO_ROW, t);
-}
-
-/* Sets up a line of samples. */
-static PH_NOINLINE void setup_samples(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
-{
-    struct ph_vertex a = s->fast.base[ref->corner[0]], b = s->fast.base[ref->corner[1]];
-    ph_line_of_samples(&a, &b, ref->corner[2]);
-    s->r->lines->setup_line(s, &a, &b, t);
 }
 
 PH_TIER(mesh)
@@ -482,8 +411,8 @@ void ph_setup_general(const struct ph_setting *s, const struct ph_ref *ref, enum
     const struct ph_vertex *const base = s->fast.base;
     if ((s->draw.kind & PH_DRAW_LINES) == 0) {
         setup_triangle(s, ref, done, t);
-    } else if (s->has_samples) {
-        setup_samples(s, ref, t);
+    } else if (s->antialiasing != NULL) {
+        s->antialiasing->setup_sample_line(s, ref, t);
     } else {
         s->r->lines->setup_line(s, &base[ref->corner[0]], &base[ref->corner[1]], t);
     }

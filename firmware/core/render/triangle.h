@@ -116,9 +116,8 @@ enum ph_kind {
     PH_KIND_TEXTURE,
     PH_KIND_SMALL,
     PH_KIND_SMALL_KNEE,
-    PH_KIND_SMALL_SAMPLES, /* of samples: all four of a pixel have one light; depth is a plane of codes */
-    PH_KIND_SMALL_SPLIT,   /* depth crosses octaves; with PH_KIND_SMALL and PH_KIND_SMALL_KNEE it is a plane of codes */
-    PH_KIND_SMALL_LONG,    /* of samples: its rows are up to twice as long; depth may cross octaves */
+    PH_KIND_SMALL_SPLIT, /* depth crosses octaves; with PH_KIND_SMALL and PH_KIND_SMALL_KNEE it is a plane of codes */
+    PH_KIND_SMALL_LONG,  /* of samples: its rows are up to twice as long; depth may cross octaves */
     PH_KIND_SMALL_TEXTURE,
     PH_KIND_SMALL_TEXTURE_KNEE, /* only if PH_TEXTURE_KNEE */
     PH_KIND_COLOURS,
@@ -182,8 +181,9 @@ struct ph_triangle {
         struct {
             struct ph_small_triangle rows; /* textured: light is that of the texels, and there is no ramp */
             union {
-                struct ph_slopes slopes; /* textured, from ph_setup_small to ph_setup_texels */
-                struct ph_small_map map; /* PH_KIND_SMALL_TEXTURE.. */
+                struct ph_slopes slopes;                    /* textured, from ph_setup_small to ph_setup_texels */
+                struct ph_small_map map;                    /* PH_KIND_SMALL_TEXTURE.. */
+                const struct ph_antialiasing *antialiasing; /* PH_KIND_SMALL_LONG */
             } of;
         } small;
         struct ph_large large;

@@ -168,37 +168,6 @@ static uint32_t try_rows(uint32_t h)
     return try_small(h, ph_small_gouraud);
 }
 
-/* Samples: rows of depth and of pixels begin at whole words, light is as setup.c leaves it, and of a triangle with one
- * upper row the edge that ends there may go anywhere. */
-static uint32_t whole_words(const struct ph_small_triangle *small, uint16_t *to_depth, uint16_t *to_pixels,
-                            uint32_t stride_bytes)
-{
-    const ptrdiff_t odd = (to_depth - depth) & 1, pixels_odd = (to_pixels - pixels) & 1;
-    struct ph_small_triangle r = *small;
-    r.light_dy |= 1;
-    r.glight &= ~(uint32_t)1;
-    if (r.upper_rows == 1) {
-        *(r.lower_is_right ? &r.right_dx : &r.left_dx) = bits();
-    }
-    return ph_samples_gouraud(&r, to_depth - odd, to_pixels - pixels_odd, stride_bytes & ~3u);
-}
-
-/* Rows of up to 64 samples. */
-static uint32_t whole_words_wider(const struct ph_small_triangle *small, uint16_t *to_depth, uint16_t *to_pixels,
-                                  uint32_t stride_bytes)
-{
-    struct ph_small_triangle r = *small;
-    r.right = r.left + below(60 << 16);
-    r.right_dx = r.left_dx;
-    r.lower_rows = 0;
-    return whole_words(&r, to_depth, to_pixels, stride_bytes);
-}
-
-static uint32_t try_samples(uint32_t h)
-{
-    return try_small(h, below(4) > 0 ? whole_words : whole_words_wider);
-}
-
 static uint32_t try_knee(uint32_t h)
 {
     return try_small(h, ph_small_knee);
@@ -618,7 +587,6 @@ int main(void)
                  {"halve", try_halve},
                  {"small_gouraud", try_rows},
                  {"small_knee", try_knee},
-                 {"samples_gouraud", try_samples},
                  {"long_gouraud", try_long},
                  {"setup_small", try_setup_small},
                  {"float_depths", try_float},

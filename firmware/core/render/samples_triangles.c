@@ -1,0 +1,69 @@
+/* Triangles and lines of samples. See samples.h. */
+/* Kits on armv6m: -O2. */
+#include "samples.h"
+
+#include "edge.h"
+#include "kernels.h"
+#include "line.h"
+#include "raster_rows.h"
+#include "setting.h"
+
+/* Lets ph_setup_fast take longer sides where pixels are samples, if the picture is large enough. */
+PH_TIER(seldom) static void widen(struct ph_fast *fast)
+{
+    const uint32_t more = PH_SIDE_SHORT - PH_SIDE_SMALL;
+    if (fast->inner_x > 2 * more && fast->inner_y > 2 * more) {
+        fast->side += more;
+        fast->margin += more;
+        fast->inner_x -= 2 * more;
+        fast->inner_y -= 2 * more;
+    }
+}
+
+/* Whether a triangle has rows of more pixels than small ones. Rows are longest at one end of the upper ones, or where
+ * the lower ones begin. */
+static bool has_long_rows(const struct ph_small_triangle *small)
+{
+    const int32_t most = PH_SMALL_COLUMNS << 16;
+    const uint32_t rows = small->upper_rows, first = small->right - small->left;
+    const uint32_t last = first + (rows - 1) * (small->right_dx - small->left_dx), x = (uint32_t)small->lower.x;
+    const uint32_t below =
+        small->lower_is_right ? x - (small->left + rows * small->left_dx) : small->right + rows * small->right_dx - x;
+    return (int32_t)first >= most || (int32_t)last >= most || (small->lower_rows > 0 && (int32_t)below >= most);
+}
+
+/* See struct ph_antialiasing. */
+static void set_kind(const struct ph_setting *s, struct ph_triangle *t)
+{
+    if (has_long_rows(&t->as.small.rows)) {
+        t->kind = PH_KIND_SMALL_LONG;
+        t->as.small.of.antialiasing = s->antialiasing;
+    }
+}
+
+static void setup_sample_line(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+{
+    struct ph_vertex a = s->fast.base[ref->corner[0]], b = s->fast.base[ref->corner[1]];
+    ph_line_of_samples(&a, &b, ref->corner[2]);
+    s->r->lines->setup_line(s, &a, &b, t);
+}
+
+/* Draws a triangle that is small but for its long rows. */
+static uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_small_triangle r = t->as.small.rows;
+    struct ph_place at = ph_cut_rows(t, band, &r);
+    if (t->block != PH_BLOCK_NONE) {
+        at.long_rows = true;
+        return ph_draw_rows_split(t, &r, at, NULL);
+    }
+    return ph_long_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
+}
+
+const struct ph_antialiasing ph_antialias_2x2 = {.find_columns = ph_samples_columns,
+                                                 .clear_samples = ph_samples_clear,
+                                                 .resolve_samples = ph_samples_resolve,
+                                                 .widen = widen,
+                                                 .set_kind = set_kind,
+                                                 .setup_sample_line = setup_sample_line,
+                                                 .draw_long = draw_long};
