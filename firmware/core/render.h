@@ -290,6 +290,11 @@ struct ph_antialiasing;
 extern const struct ph_antialiasing ph_antialias_2x2;
 #define PH_ANTIALIAS_2X2 (&ph_antialias_2x2)
 
+/* How triangles that are hidden are passed over: an address, for struct ph_config. */
+struct ph_occlusion;
+extern const struct ph_occlusion ph_coarse_depth;
+#define PH_COARSE_DEPTH (&ph_coarse_depth)
+
 struct ph_vertex;   /* a transformed vertex, see vertex.h */
 struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 
@@ -327,6 +332,10 @@ struct ph_config {
     bool (*other_core)(void (*run)(void *argument), void *argument);
     void (*other_core_join)(void);
     const struct ph_cores *cores; /* PH_TWO_CORES: a program links what shares work if it names this */
+
+    /* Optional: PH_COARSE_DEPTH passes over large triangles (8 rows of a band and more) that lie behind others, without
+     * a look at pixels. Draw the nearest first. The picture is the same. A program links it if it names it. */
+    const struct ph_occlusion *occlusion;
 
     /* Optional, for ph_show. */
     void *pixels;        /* width * band_height * ph_pixel_bytes(pixel_order); aligned to 2 bytes */

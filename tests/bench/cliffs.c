@@ -72,6 +72,7 @@ static struct view usual(void)
                                         .far_z = FX_INT(100)},
                          .light = &sun,
                          .depth_format = PH_DEPTH_AUTO,
+                         .occlusion = PH_COARSE_DEPTH,
                          .lines = 16};
 }
 

@@ -61,6 +61,7 @@ static bool run(const struct demo *demo)
                                      .height = HEIGHT,
                                      .band_height = LINES,
                                      .depth_format = PH_DEPTH_AUTO,
+                                     .occlusion = PH_COARSE_DEPTH,
                                      .vertices = scene,
                                      .vertex_max = (uint32_t)(sizeof scene / ph_vertex_bytes),
                                      .triangles = scene,

@@ -37,6 +37,7 @@ void rig_open(struct rig *rig, int width, int height, int band_height, enum ph_d
                                .height = (uint16_t)height,
                                .band_height = (uint16_t)band_height,
                                .depth_format = (uint8_t)format,
+                               .occlusion = PH_COARSE_DEPTH,
                                .vertices = rig->vertices,
                                .vertex_max = (uint32_t)vertex_max,
                                .triangles = rig->triangles,

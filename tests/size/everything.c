@@ -53,6 +53,7 @@ static int begin(unsigned choice)
     config.samples = choice & 8 ? samples : NULL;
     config.antialiasing = PH_ANTIALIAS_2X2;
     config.cores = PH_TWO_CORES;
+    config.occlusion = PH_COARSE_DEPTH;
     config.other_core = other_core;
     config.other_core_join = other_core_join;
     config.pixels = pixels;

@@ -223,7 +223,7 @@ PH_TIER(figure) static void draw_list(struct ph_feed *next, const struct drawn *
     upper.next = next;
     lower.then.core = 1;
     lower.rows = ph_cut_lower(&upper.rows, (rows->y1 - rows->y0) / 2);
-    lower.rows.coarse = rows->coarse + 1;
+    lower.rows.coarse = rows->coarse != NULL ? rows->coarse + 1 : NULL;
     ph_run_both(r, draw_share, &upper, &lower);
     if (fresh.drawn != NULL) {
         keep_below(fresh.drawn);

@@ -2,6 +2,7 @@
 #include "coarse.h"
 
 #include "edge.h"
+#include "raster_large.h"
 
 #define GENTLE ((uint32_t)1 << 20) /* 16 codes a pixel: 1024 times this and that still fit 32 bits */
 
@@ -85,7 +86,8 @@ static inline uint32_t count_pixels(struct ph_half_rows in, int32_t width)
     return count;
 }
 
-uint32_t ph_coarse_hidden(const struct ph_triangle *t, const struct ph_band *band)
+/* The pixels in the band of a triangle that occluders hide there; 0 if it may be seen. */
+static PH_NOINLINE uint32_t count_hidden(const struct ph_triangle *t, const struct ph_band *band)
 {
     uint32_t count = 0, nearest;
     if (band->coarse->count == 0) {
@@ -144,7 +146,8 @@ static void keep(struct ph_coarse *c, const struct ph_occluder *o)
     }
 }
 
-void ph_coarse_add(const struct ph_triangle *t, const struct ph_band *band)
+/* Makes an occluder of a triangle that was drawn. */
+static PH_NOINLINE void add_occluder(const struct ph_triangle *t, const struct ph_band *band)
 {
     for (int half = 0; half < 2; half++) {
         struct ph_occluder o;
@@ -154,3 +157,19 @@ void ph_coarse_add(const struct ph_triangle *t, const struct ph_band *band)
         }
     }
 }
+
+/* See struct ph_occlusion. */
+PH_TIER(loop) static uint32_t draw_unless_hidden(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const uint32_t hidden = count_hidden(t, band);
+    if (hidden > 0) {
+        return hidden;
+    }
+    const uint32_t count = ph_draw_large(t, band);
+    if (count >= PH_OCCLUDER_LEAST) {
+        add_occluder(t, band);
+    }
+    return count;
+}
+
+const struct ph_occlusion ph_coarse_depth = {.draw_unless_hidden = draw_unless_hidden};

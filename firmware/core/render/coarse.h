@@ -10,12 +10,13 @@
  * the two halves of a quad nor a band's height leave a gap, and a test takes a few comparisons however many pixels it
  * spares. Triangles under PH_OCCLUDER_LEAST pixels in a band neither become occluders nor pay for it. Those of fewer
  * than PH_OCCLUDED_ROWS rows and small ones (ph_small_triangle) are not tested. Depth has to be a plane of codes
- * (PH_BLOCK_NONE).
+ * (PH_BLOCK_NONE). struct ph_config names the struct ph_occlusion, and nothing else refers to what it names.
  */
 #ifndef PH_COARSE_H
 #define PH_COARSE_H
 
 #include "band.h"
+#include "render.h"
 
 #define PH_OCCLUDERS      2
 #define PH_OCCLUDER_LEAST 512
@@ -28,15 +29,14 @@ struct ph_occluder {
 
 struct ph_coarse {
     uint32_t count; /* 0 when a band begins */
+    const struct ph_occlusion *occlusion;
     struct ph_occluder at[PH_OCCLUDERS];
 };
 
-/* The pixels in the band of a triangle that occluders hide there; 0 if it may be seen. Its depth must be a plane of
- * codes, and the band must have coarse depth. */
-uint32_t ph_coarse_hidden(const struct ph_triangle *t, const struct ph_band *band);
-
-/* Makes an occluder of a triangle that was drawn with at least PH_OCCLUDER_LEAST pixels. Its depth must be a plane of
- * codes, and the band must have coarse depth. */
-void ph_coarse_add(const struct ph_triangle *t, const struct ph_band *band);
+struct ph_occlusion {
+    /* Draws a large triangle whose depth is a plane of codes, or only counts its pixels if an occluder hides it. One of
+     * at least PH_OCCLUDER_LEAST pixels becomes an occluder. The band must have coarse depth. */
+    uint32_t (*draw_unless_hidden)(const struct ph_triangle *t, const struct ph_band *band);
+};
 
 #endif

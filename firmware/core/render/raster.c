@@ -60,20 +60,6 @@ static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_b
     return ph_small_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
 }
 
-/* Draws a triangle, or only counts its pixels if an occluder hides it. */
-PH_TIER(loop) static PH_NOINLINE uint32_t draw_unless_hidden(const struct ph_triangle *t, const struct ph_band *band)
-{
-    const uint32_t hidden = ph_coarse_hidden(t, band);
-    if (hidden > 0) {
-        return hidden;
-    }
-    const uint32_t count = ph_draw_large(t, band);
-    if (count >= PH_OCCLUDER_LEAST) {
-        ph_coarse_add(t, band);
-    }
-    return count;
-}
-
 PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->kind == PH_KIND_SMALL) {
@@ -102,7 +88,7 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
         return ph_draw_exact(t, band);
     }
     const bool tests = t->block == PH_BLOCK_NONE && band->coarse != NULL && t->y_bottom - t->y_top >= PH_OCCLUDED_ROWS;
-    return tests ? draw_unless_hidden(t, band) : ph_draw_large(t, band);
+    return tests ? band->coarse->occlusion->draw_unless_hidden(t, band) : ph_draw_large(t, band);
 }
 
 /* Whether a triangle is small and has a plane of codes, with or without a knee. */
