@@ -5,6 +5,8 @@ CFLAGS ?= -O2 -g
 CPU ?= $(if $(findstring __x86_64__,$(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null)),x86_64,portable)
 B ?= build
 V ?= 0
+PROFILE ?= whole
+$(if $(filter whole small,$(PROFILE)),,$(error PROFILE=$(PROFILE): take whole or small))
 $(if $(strip $(B)),,$(error B= is empty: it names the build directory))
 BOARD_DIR ?=
 PINHOLE_VERSION := $(shell sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
@@ -67,6 +69,12 @@ CPU_S := $(if $(CPU_S),$(if $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev
 CPU_SRC := $(wildcard $(KERNELS)/$(CPU)/*.c) $(CPU_S)
 CORE := $(wildcard $(patsubst %,firmware/core/%/*.c,fx geom render effects)) $(CPU_SRC) \
         $(filter-out $(patsubst $(KERNELS)/$(CPU)/%,$(KERNELS)/portable/%.c,$(basename $(CPU_SRC))),$(wildcard $(KERNELS)/portable/*.c))
+# The small profile is a folder that stands in place of the rest of render/, of the kernels and of what builds upon them.
+SMALL := firmware/core/render/small
+ifeq ($(PROFILE),small)
+CORE := $(wildcard $(patsubst %,firmware/core/%/*.c,fx geom render/small))
+CPU := portable
+endif
 APP_SRC := $(wildcard firmware/app/*.c firmware/app/demos/*.c firmware/app/models/*.c firmware/app/depthlab/*.c)
 HAL := $(wildcard hal/panel/*.c hal/null/*.c $(if $(SPIDEV),hal/linux/*.c hal/linux/$(GPIOD)/*.c hal/kms/*.c hal/kms/$(DRM)/*.c) \
                   hal/ft232h/*.c hal/ft232h/$(USB)/*.c)
@@ -105,7 +113,7 @@ TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(filter-out $(TEST_LACKS),$(wildcard tests/
 # Headers at the top of firmware/core, firmware/app, hal and boards are public; those of a room are its own, and of the
 # rooms that are named here beside it. (A source finds its own room without a flag.)
 INC_CPU = $(if $(filter-out portable,$(CPU)),-I$(KERNELS)/$(CPU)) -I$(KERNELS)/portable
-INC_CORE = $(INC_CPU) -Ifirmware/core
+INC_CORE = $(if $(filter small,$(PROFILE)),-DPH_PROFILE_SMALL -I$(SMALL)) $(INC_CPU) -Ifirmware/core
 INC_MORE = -I$(B)/boards_all
 INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
 INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common -Ihost-sim/picture
@@ -257,8 +265,8 @@ lint: $(B)/boards_all/boards_all.h ## clang-format, clang-tidy, cppcheck, shellc
 bench: ## instructions a frame of the eight scenes on Cortex-M0+, M3, M4F, M33, RV32 and x86-64, and the pictures' quality
 	$(Q)B='$(B)' tests/bench/bench.sh
 
-size: ## code size on a Cortex-M0+ of what images link of the core, by module; fails over the budget. BOARD=x: of its image; PROGRAM=FILE.c: of a program
-	+$(Q)$(if $(PROGRAM),B='$(B)' tests/tools/program_size.sh $(PROGRAM),$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/tools/size.sh))
+size: ## code size on a Cortex-M0+ of what images link of the core, by module; fails over the budget. BOARD=x: of its image; PROGRAM=FILE.c [PROFILE=small]: of a program
+	+$(Q)$(if $(PROGRAM),B='$(B)' PROFILE='$(PROFILE)' tests/tools/program_size.sh $(PROGRAM),$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/tools/size.sh))
 
 depth: all ## measures what depth resolves for the default camera: a report in build/depth/ (plots need gnuplot)
 	$(Q)'$(B)/pinhole-depth' all --out '$(B)/depth' && echo '$(B)/depth/report.md'
@@ -274,6 +282,6 @@ clean: ## removes build/
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
-	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m|rv32 B=build CHECKED=1 V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
+	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m|rv32 PROFILE=whole|small B=build CHECKED=1 V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
 
 -include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d) $(patsubst %.c,$(B)/%.d,$(wildcard host-sim/emulate/rp2350/*.c host-sim/emulate/rp2040/*.c))

@@ -154,23 +154,6 @@ static inline uint32_t fx_rcp_newton(uint32_t d)
     return q - (((0u - q * d) >> 31) & ~(uint32_t)half);
 }
 
-/*
- * Normalised reciprocal: *shift is the number of leading zeros of w, and the result floor(2^62 / (w << *shift)) is in
- * 2^30 .. 2^31. So 1/w = result * 2^(*shift - 62) for an integer w. It is this integer on every CPU, hence monotone.
- * w = 0 counts as 1. Cost: 57, 36.
- */
-static inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
-{
-    const uint32_t v = w != 0 ? w : 1;
-    *shift = fx_clz32(v);
-    const uint32_t d = v << *shift;
-    /* NOLINTNEXTLINE(clang-analyzer-core.DivideZero): the top bit of d is set */
-    return FX_DIVIDES_64 ? (uint32_t)(((uint64_t)1 << 62) / d) : fx_rcp_newton(d);
-}
-
-/* fx_rcp_norm as a function, for callers that run rarely. */
-uint32_t fx_rcp_far(uint32_t w, int *shift);
-
 /* floor(n / d), 0 < d < 2^63, bit by bit: for fx_quotient_u64 only. */
 uint64_t fx_quotient_bits(uint64_t n, uint64_t d);
 
@@ -180,6 +163,27 @@ static inline uint64_t fx_quotient_u64(uint64_t n, uint64_t d)
     /* NOLINTNEXTLINE(clang-analyzer-core.DivideZero): d > 0 */
     return FX_DIVIDES_32 ? n / d : fx_quotient_bits(n, d);
 }
+
+/* floor(2^62 / d) for d = 2^31 .. 2^32 - 1. */
+static inline uint32_t fx_rcp_top(uint32_t d)
+{
+    return FX_DIVIDES_64 ? (uint32_t)fx_quotient_u64((uint64_t)1 << 62, d) : fx_rcp_newton(d);
+}
+
+/*
+ * Normalised reciprocal: *shift is the number of leading zeros of w, and the result floor(2^62 / (w << *shift)) is in
+ * 2^30 .. 2^31. So 1/w = result * 2^(*shift - 62) for an integer w. It is this integer on every CPU, hence monotone.
+ * w = 0 counts as 1. Cost: 57, 36.
+ */
+static inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
+{
+    const uint32_t v = w != 0 ? w : 1;
+    *shift = fx_clz32(v);
+    return fx_rcp_top(v << *shift);
+}
+
+/* fx_rcp_norm as a function, for callers that run rarely. */
+uint32_t fx_rcp_far(uint32_t w, int *shift);
 
 #define FX_TEXT_SIZE 24 /* the longest text is "-32767.9999847412109375", with its final zero */
 

@@ -185,7 +185,11 @@ struct ph_light {
                                   beyond counts as the nearest */
 };
 
+#ifdef PH_PROFILE_SMALL
+#define PH_LIGHTS_MAX 1
+#else
 #define PH_LIGHTS_MAX 4
+#endif
 
 struct ph_scene_light {
     fx_t ambient; /* 0 .. 1 */
@@ -301,7 +305,13 @@ struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 /* Sizes for budgets: ph_vertex_bytes for each vertex, ph_triangle_bytes for each triangle. */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 /* ph_vertex_bytes and ph_triangle_bytes where pointers have 32 bits, for budgets that are equal on every machine. */
-#define PH_VERTEX_BYTES_32   16
+#ifdef PH_PROFILE_SMALL
+#define PH_VERTEX_BYTES_32 10
+#define PH_PART_BYTES      104 /* of the triangle budget, for each part of a mesh: see render/small/small.h */
+#define PH_CLIP_BYTES      520 /* ... and once a frame that has a mesh of which something may be clipped */
+#else
+#define PH_VERTEX_BYTES_32 16
+#endif
 #define PH_TRIANGLE_BYTES_32 24
 /* What the triangle budget becomes: references of triangles that can be seen, vertices of further meshes and
  * corners that clipping makes, and slots for triangles that go on from band to band. Without slots a triangle is set up
@@ -409,6 +419,38 @@ struct ph_list {
 struct ph_lines;
 struct ph_fogging;
 
+#ifdef PH_PROFILE_SMALL
+/* The state of one picture in the small profile: see render/small/small.h. Callers read stats; all else is private.
+ * Some members have the names that they have below, because files of render/ are shared. */
+struct ph_curved_lens;
+struct ph_renderer {
+    struct {
+        uint16_t width, height, band_height;
+        union {
+            void *depth;
+            bool (*other_core)(void (*run)(void *argument), void *argument); /* never called, and so is the next */
+            void (*other_core_join)(void);
+        };
+    } config;
+    struct ph_stats stats;
+    struct ph_lens lens;
+    struct {
+        const struct ph_curved_lens *curved; /* NULL */
+    } projection;
+    struct ph_xform view;
+    struct ph_scene_light light;
+    struct ph_depth_traits depth;
+    uint8_t *vertices, *vertices_end; /* where the next vertices go; NULL: they end where parts begin */
+    uint8_t *parts;                   /* down to where parts have been taken */
+    struct ph_small_part *first, *last;
+    void *clip; /* room to clip in, or NULL */
+    uint32_t vertex_max;
+    void *room[2];       /* as in struct ph_config: vertices and triangles */
+    uint32_t room_bytes; /* of the triangles */
+    uint16_t background, band, band_count;
+    uint8_t state;
+};
+#else
 /* The state of one picture. Callers read stats; all other fields are private. Between ph_frame_bands and the last band
  * it must not be moved. */
 struct ph_renderer {
@@ -435,6 +477,7 @@ struct ph_renderer {
     uint32_t fog_codes[32];       /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
     struct ph_depth_traits depth; /* of this frame's format */
 };
+#endif
 
 /*
  * Initialises r with a copy of config.

@@ -17,14 +17,14 @@ mutants() {
 pixels sampled 1/32 px further left      | render/edge.h    | s/32767u/34815u/                                     | test_raster
 left edges not owned                     | render/edge.h    | s/32767u/32768u/                                     | test_raster
 top edges not owned                      | render/edge.h    | s/(y + 127) >> 8/(y + 128) >> 8/                     | test_raster
-edges walked to 6 bits                   | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~1023;/      | test_coverage
+edges walked to 6 bits                   | render/outline.c | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~1023;/      | test_coverage
 6 sub-pixel bits                         | kernels/portable/vertices.c | s/\(v->[xy] = .*\);/\1 \& ~3;/                      | test_quality
 7 sub-pixel bits                         | kernels/portable/vertices.c | s/\(v->[xy] = .*\);/\1 \& ~1;/                      | test_quality
 positions truncated, not rounded         | render/transform.c| s/)1 << (down - 1)/)0 << (down - 1)/               | test_quality
-principal point half a pixel off         | render/frame.c   | s/+ 256) >> 9)/+ 256) >> 9) + 128/                   | test_raster
-an edge that depends on its triangle     | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.x += 128;/           | test_watertight
-a slope that depends on its triangle     | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~15;/         | test_watertight
-an edge walked from far above the picture | render/setup.c  | s/(slope >> 10)/(slope >> 10 \& ~0xfffff)/            | test_watertight
+principal point half a pixel off         | render/lens.h    | s/+ 256) >> 9)/+ 256) >> 9) + 128/                   | test_raster
+an edge that depends on its triangle     | render/outline.c | s/_edge(.*&\(.*long_edge\));/& \1.x += 128;/           | test_watertight
+a slope that depends on its triangle     | render/outline.c | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~15;/         | test_watertight
+an edge walked from far above the picture | render/outline.c | s/(slope >> 10)/(slope >> 10 \& ~0xfffff)/            | test_watertight
 a crossing that depends on its direction | render/clip.c    | s/crossing(lens, b, a, db, da/crossing(lens, a, b, da, db/ | test_watertight
 crossings to 10 bits                     | render/clip.c    | s/(rest >= whole))/& \& ~0xfffff/                    | test_mesa
 near plane too near                      | render/clip.c    | s/- lens->near_z;/- lens->near_z \/ 2;/              | test_watertight
@@ -32,7 +32,7 @@ no far plane                             | render/clip.c    | s/lens->far_z - v-
 depth gradients without guard bits       | render/planes.c  | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/; s/(uint32_t)depth.[xy] \* 256/& \& ~0x3ffu/ | test_quality
 float16 spans not split at octaves       | render/planes.c  | s/if (!ph_depth_in_octave(d.*{/if (false) {/         | test_quality
 fixed16 bias without its quarter         | render/planes.c  | s/PH_DEPTH_BIAS_FIXED16 +/((uint32_t)16 << 16) +/    | test_depth
-codes of near ranges left unused         | render/frame.c   | s/is_fixed ? stretched_near(p, &shift) : //         | test_depth
+codes of near ranges left unused         | render/lens.h    | s/is_fixed ? ph_lens_near(p, &shift) : //         | test_depth
 float24 as coarse as float16             | render/span.h    | s/d >> 8;/d >> 16 << 8;/                             | test_depth
 the last of equal 24-bit depths wins     | render/span.h    | s/code <= \*depth/code < *depth/                     | test_raster
 the last of equal depths wins            | render/span.h    | s/code > \*depth/code >= *depth/                     | test_raster

@@ -1,6 +1,7 @@
 /* Triangle set-up: no overflow and no bad shift, from any vertices that are in reach. See proof.h. */
 #include "proof_render.h"
 
+#include "../../firmware/core/render/outline.c"
 #include "../../firmware/core/render/setup.c"
 
 /* A corner, and one below it that begins in a later row. */
@@ -44,7 +45,7 @@ void proof_setup_outline(void)
     const int32_t height = i32_between(1, 1024);
     const struct ph_outline o = ph_outline(t.v);
     ASSUME(o.row_top < o.row_low && o.row_top < height && o.row_low > 0); /* ph_first_row_of */
-    setup_outline(height, t.v, &out);
+    ph_setup_outline(height, t.v, &out);
     CLAIM(out.y_top >= 0 && out.y_top < out.y_bottom && out.y_bottom <= height);
     CLAIM(out.as.large.y_mid >= out.y_top && out.as.large.y_mid <= out.y_bottom);
 }

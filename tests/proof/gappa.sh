@@ -114,7 +114,7 @@ prove_reach() {
     constants render/transform.c 'return (int32_t)(fx_mul_wide(aligned, reciprocal) >> #);' && local down=${n[0]}
     constants render/transform.c 'const int down = 17 - lens->focal_log2;'
     constants render/transform.c 'const int32_t positive = (int32_t)(reciprocal >> 1);'
-    constants render/frame.c 'lens->guard_up = (uint8_t)(log2 > 8 ? log2 - 8 : 0);'
+    constants render/lens.h 'lens->guard_up = (uint8_t)(log2 > 8 ? log2 - 8 : 0);'
     gappa_agrees <<END
 @floor = fixed<0, dn>;
 half = 1b61 / W - e;
@@ -128,7 +128,7 @@ END
 # ph_depth_quotient_of: q against the exact N/w in the same units, N = n (1 - 2^-head); near is n 2^near_shift, W is
 # w 2^shift. From -2 to 1/2, twice that if q is doubled: at most 2^-28 of the depth at the near plane.
 prove_quotient() {
-    constants render/frame.c 'lens->depth_scale = norm - (norm >> ph_depth_head(lens));'
+    constants render/lens.h 'lens->depth_scale = norm - (norm >> ph_depth_head(lens));'
     constants render/depth.h 'return lens->float_down > # ? # - lens->float_down : #;'
     local least=${n[0]} sum=${n[1]} room=${n[2]} down head documented
     constants render/depth.h 'const uint32_t q = fx_mulhi_u32(lens->depth_scale, reciprocal);'
@@ -169,7 +169,7 @@ prove_depth() {
     constants render/depth.h 'const int up = 2 + block - lens->far_s;'
     constants render/depth.h 'return up >= 0 ? lens->far_q << up : up > -32 ? lens->far_q >> -up : 0;'
     constants render/depth.h 'return at - far;'
-    constants render/frame.c 'const uint32_t n = (uint32_t)p->near_z, f = (uint32_t)p->far_z, least = f / # + 1;'
+    constants render/lens.h 'const uint32_t n = (uint32_t)p->near_z, f = (uint32_t)p->far_z, least = f / # + 1;'
     [ "${n[0]}" = 8 ] || { echo "N up to ${n[0]} n" && exit 1; }
     for s in 0 1 2 3 4 31; do
         for f in 0 1 2 3 4 31; do

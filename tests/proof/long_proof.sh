@@ -35,14 +35,14 @@ a quotient clamped late            | fx/fx.c            | s/n >> 15 >= d/n >> 18
 a crossing rounded twice too far   | render/clip.c      | s/(1 << 29)) >> 30/(1 << 30)) >> 30/                     | gappa.lerp
 more corners than there is room    | render/clip.c      | s/ \&\& count < PH_CLIP_MAX) {/) {/                      | clip.clip_plane
 a distance in 32 bits              | render/clip.c      | s/(int64_t)v->w \* 8/v->w * 8/                           | clip.distance
-a longer focal length              | render/frame.c     | s/log2 <= 18 \&\&/log2 <= 28 \&\&/; s/log2 > 18/log2 > 28/ | frame.camera
+a longer focal length              | render/lens.h      | s/log2 <= 18 \&\&/log2 <= 28 \&\&/; s/log2 > 18/log2 > 28/ | frame.camera
 less head room                     | render/depth.h     | s/float_down : 9;/float_down : 5;/                       | gappa.quotient
 a divide aligned too far           | render/transform.c | s/x << (shift - 4)/x << (shift + 4)/                     | transform.project
 a guard band twice as wide         | render/transform.c | s/reciprocal) >> 32);/reciprocal) >> 31);/               | gappa.reach
 a code from too high a bit         | render/depth.h     | s/up = 2 + block - quotient.s/up = 12 + block - quotient.s/ | depth.codes
 a slope rounded beyond its range   | render/depth.h     | s/(int32_t)gradient >> -up)/((int32_t)gradient + 1) >> -up)/ | depth.codes
-a wide edge shifted out            | render/setup.c     | s/>> (43 - shift)/>> (93 - shift)/                       | setup.wide_edge
-rows outside the picture           | render/setup.c     | s/y_bottom = ph_min(o.row_low, height)/y_bottom = o.row_low/ | setup.setup_outline
+a wide edge shifted out            | render/outline.c   | s/>> (43 - shift)/>> (93 - shift)/                       | setup.wide_edge
+rows outside the picture           | render/outline.c   | s/y_bottom = ph_min(o.row_low, height)/y_bottom = o.row_low/ | setup.setup_outline
 a gradient that changes its sign   | render/planes.c    | s/fx_sat64((px + half) >> down)/(int32_t)((px + half) >> down)/ | planes.wide_gradient
 a gradient that is not halved      | render/planes.c    | s/1 - fx_clz32(ph_without_sign(gx)/-1 - fx_clz32(ph_without_sign(gx)/ | planes.short_plane
 a far unit of linear-w             | render/exact.c     | s/fx_clz32(high), 30)/fx_clz32(high), 24)/               | exact.set_run

@@ -46,7 +46,7 @@ PH_TIER(seldom) fx_t fx_tan_sat(fx_t turns)
         return ((uint32_t)turns & 0x8000) != 0 ? FX_MIN : FX_MAX;
     }
     if (k < 8192) {
-        const uint32_t r = fx_rcp_newton((uint32_t)(cotangent(k) >> 19));
+        const uint32_t r = fx_rcp_top((uint32_t)(cotangent(k) >> 19));
         t = (uint32_t)((fx_mul_wide_u(k, r) + (1 << 27)) >> 28);
     } else if (k > 8192) {
         const uint32_t rest = 16384 - k;
@@ -59,7 +59,7 @@ PH_TIER(seldom) fx_t fx_tan_sat(fx_t turns)
  * result below 2^32; 9 <= shift <= 20. */
 PH_TIER(seldom) static uint32_t quotient(uint64_t num, uint32_t d, int shift)
 {
-    const uint32_t r = fx_rcp_newton(d), high = fx_mulhi_u32((uint32_t)(num >> 31), r);
+    const uint32_t r = fx_rcp_top(d), high = fx_mulhi_u32((uint32_t)(num >> 31), r);
     const uint32_t q = shift < 20 ? high >> (19 - shift) : high << 1; /* up to 5 too small */
     const uint64_t rest = num - (fx_mul_wide_u(q, d) << (20 - shift));
     return q + (uint32_t)((fx_mul_wide_u((uint32_t)(rest >> (28 - shift)), r) + ((uint64_t)1 << 53)) >> 54);

@@ -1,7 +1,7 @@
 /* Renderer and camera: see render.h. */
 #include "edge.h"
 #include "feed.h"
-#include "fisheye.h"
+#include "lens.h"
 
 static bool is_exponent(unsigned bits)
 {
@@ -72,85 +72,15 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
     return PH_OK;
 }
 
-/* Principal point in 1/256 px: half the size, moved by shift halves; y counts downwards. */
-static int32_t centre_of(int32_t size, fx_t shift)
-{
-    return (int32_t)((fx_mul_wide(size, FX_ONE + shift) + 256) >> 9);
-}
-
-/* Focal lengths as fractions of 2^focal_log2 px. That power also makes the guard band reach over the picture. */
-static int lens_focal(struct ph_lens *lens, const struct ph_projection *p, int32_t width, int32_t height)
-{
-    const int64_t fx = fx_mul_wide(p->scale_x_q20, width), fy = fx_mul_wide(p->scale_y_q20, height); /* px, Q21 */
-    const int32_t guard = 2 * ph_max(width, height); /* px; with |shift| <= 2 no pixel is further away than 1.5 sizes */
-    const int64_t longest = fx > fy ? fx : fy;
-    int log2 = 0;
-    while (log2 <= 18 && (((int64_t)1 << (21 + log2)) < longest || (4 << log2) < guard)) {
-        log2++;
-    }
-    if (log2 > 18) {
-        return PH_ERR_RANGE;
-    }
-    lens->focal_log2 = (int8_t)log2;
-    lens->guard_up = (uint8_t)(log2 > 8 ? log2 - 8 : 0);
-    lens->focal_x = (int32_t)(log2 <= 9 ? fx << (9 - log2) : fx >> (log2 - 9));
-    lens->focal_y = (int32_t)(log2 <= 9 ? fy << (9 - log2) : fy >> (log2 - 9));
-    return PH_OK;
-}
-
-/* n f / (f - n), but less than 8 n: from 2^31 on, times 2^-*shift. */
-static uint32_t stretched_near(const struct ph_projection *p, int *shift)
-{
-    const uint32_t n = (uint32_t)p->near_z, f = (uint32_t)p->far_z, least = f / 8 + 1;
-    const int up = fx_clz32(n);
-    const uint64_t scaled = fx_quotient_u64(fx_mul_wide_u(n << up, f), f - n > least ? f - n : least);
-    const int down = 32 - fx_clz32((uint32_t)(scaled >> 32)); /* at most 3 */
-    *shift = up - down;
-    return (uint32_t)(scaled >> down);
-}
-
-static void lens_depth(struct ph_lens *lens, const struct ph_projection *p, unsigned format)
-{
-    lens->near_z = p->near_z;
-    lens->far_z = p->far_z;
-    int shift = fx_clz32((uint32_t)p->near_z);
-    if (p->kind == PH_ORTHOGRAPHIC) {
-        lens->depth_scale = fx_rcp_norm((uint32_t)p->far_z - (uint32_t)p->near_z, &shift);
-        lens->near_shift = (int8_t)shift;
-        return; /* far_q stays 0: d is 0 at the far plane already */
-    }
-    const bool is_fixed = ph_depth_traits[format].coding == PH_DEPTH_IS_FIXED;
-    const uint32_t norm = is_fixed ? stretched_near(p, &shift) : (uint32_t)p->near_z << shift;
-    lens->near_shift = (int8_t)shift;
-    lens->depth_scale = norm - (norm >> ph_depth_head(lens));
-    const struct ph_quotient far = ph_depth_quotient(lens, p->far_z);
-    lens->far_q = far.q;
-    lens->far_s = far.s;
-    lens->linear = ph_depth_linear_of(lens);
-}
-
 /* format, exponent: as in ph_stats. */
 static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
                       unsigned format, unsigned exponent)
 {
-    const int32_t width = r->config.width, height = r->config.height;
-    const struct ph_projection *p = projection;
-    if ((p->kind == PH_FISHEYE && p->curved == NULL) || p->far_z <= p->near_z ||
-        (p->kind != PH_ORTHOGRAPHIC && p->near_z <= 0) || p->scale_x_q20 <= 0 || p->scale_y_q20 <= 0) {
-        return PH_ERR_INVAL;
+    struct ph_lens lens;
+    const int status = ph_lens_of(&lens, projection, r->config.width, r->config.height, format, exponent);
+    if (status != PH_OK) {
+        return status;
     }
-    if (p->shift_x > 2 * FX_ONE || p->shift_x < -2 * FX_ONE || p->shift_y > 2 * FX_ONE || p->shift_y < -2 * FX_ONE) {
-        return PH_ERR_RANGE;
-    }
-    struct ph_lens lens = {.kind = (uint8_t)p->kind, .float_down = (uint8_t)(exponent != 0 ? exponent - 1 : 3)};
-    if (p->kind == PH_FISHEYE) {
-        p->curved->set_lens(&lens, p, height);
-    } else if (lens_focal(&lens, p, width, height) != PH_OK) {
-        return PH_ERR_RANGE;
-    }
-    lens.centre_x = centre_of(width, -p->shift_x);
-    lens.centre_y = centre_of(height, p->shift_y);
-    lens_depth(&lens, p, format);
     r->lens = lens;
     r->list.lens = PH_NONE;
     r->projection = *projection;

@@ -15,57 +15,11 @@ PH_TIER(mesh) static inline int fx_clz32(uint32_t v);
 #include "exact.h"
 #include "kernels.h"
 #include "line.h"
+#include "outline.h"
 #include "planes.h"
 #include "samples.h"
 #include "small_texels.h"
 #include "texels.h"
-
-/* The edge from a down to b at row y0, which it reaches, in 64 bits. A step down a row has 16 bits behind the point.
- * From a corner far above the picture thousands of them would lose up to 1/16 px, so y0 is reached at once. */
-PH_TIER(scenery)
-static PH_NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0,
-                                  struct ph_edge *edge)
-{
-    int shift;
-    const int32_t reciprocal = ph_wide_reciprocal((uint32_t)(b->y - a->y), &shift);
-    const int64_t slope = fx_mul_wide(b->x - a->x, reciprocal), down = y0 * 256 + 128 - a->y;
-    const uint32_t offset = (uint32_t)((slope >> 10) * down >> (43 - shift)); /* the product is below 2^63 */
-    *edge =
-        ph_edge_at_row((int32_t)((uint32_t)a->x * 256 + offset), (int32_t)(uint32_t)(slope >> (45 - shift)), y0, y0);
-}
-
-/* The edge from a down to b at row y0. */
-PH_TIER(scenery)
-static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
-{
-    const int32_t dx = b->x - a->x, dy = b->y - a->y;
-    if ((((uint32_t)dx + PH_SIDE_SHORT) | ((uint32_t)dy << 1)) < 2 * PH_SIDE_SHORT) {
-        *edge = ph_short_edge(a, dx, dy, ph_first_row(a->y), y0);
-    } else {
-        wide_edge(a, b, y0, edge);
-    }
-}
-
-/* Rows and edges. */
-PH_TIER(scenery)
-static FX_APART void setup_outline(int32_t height, const struct ph_vertex *const v[3], struct ph_triangle *t)
-{
-    const struct ph_outline o = ph_outline(v);
-    const int32_t y_top = ph_max(o.row_top, 0), y_bottom = ph_min(o.row_low, height);
-    const int32_t y_mid = ph_max(ph_min(o.row_mid, height), 0);
-    struct ph_large *const large = &t->as.large;
-    t->y_top = (int16_t)y_top;
-    t->y_bottom = (int16_t)y_bottom;
-    large->long_left = o.long_left;
-    large->y_mid = (int16_t)y_mid;
-    setup_edge(o.top, o.low, y_top, &large->long_edge);
-    if (y_mid > y_top) {
-        setup_edge(o.top, o.mid, y_top, &large->upper);
-    }
-    if (y_bottom > y_mid) {
-        setup_edge(o.mid, o.low, y_mid, &large->lower);
-    }
-}
 
 /* Edges and planes of any triangle. False if 32 bits are not enough for its depth. */
 PH_TIER(scenery)
@@ -73,7 +27,7 @@ static PH_NOINLINE bool setup_any(const struct ph_renderer *r, const struct ph_m
                                   const struct ph_vertex *const v[3], const fx_t *const uv[3],
                                   const struct ph_sides *sides, struct ph_triangle *t)
 {
-    setup_outline(r->config.height, v, t);
+    ph_setup_outline(r->config.height, v, t);
     t->material = material;
     return ph_set_planes(t, r, v, uv, sides);
 }

@@ -1,0 +1,95 @@
+/*
+ * lens: a projection in the form that vertices need. Private to firmware/core. Its functions are inline, so that a
+ * renderer with one depth format has no code for others.
+ */
+#ifndef PH_LENS_H
+#define PH_LENS_H
+
+#include "edge.h"
+#include "fisheye.h"
+
+/* Principal point in 1/256 px: half the size, moved by shift halves; y counts downwards. */
+static inline int32_t ph_lens_centre(int32_t size, fx_t shift)
+{
+    return (int32_t)((fx_mul_wide(size, FX_ONE + shift) + 256) >> 9);
+}
+
+/* Focal lengths as fractions of 2^focal_log2 px. That power also makes the guard band reach over the picture. */
+static inline int ph_lens_focal(struct ph_lens *lens, const struct ph_projection *p, int32_t width, int32_t height)
+{
+    const int64_t fx = fx_mul_wide(p->scale_x_q20, width), fy = fx_mul_wide(p->scale_y_q20, height); /* px, Q21 */
+    const int32_t guard = 2 * ph_max(width, height); /* px; with |shift| <= 2 no pixel is further away than 1.5 sizes */
+    const int64_t longest = fx > fy ? fx : fy;
+    int log2 = 0;
+    while (log2 <= 18 && (((int64_t)1 << (21 + log2)) < longest || (4 << log2) < guard)) {
+        log2++;
+    }
+    if (log2 > 18) {
+        return PH_ERR_RANGE;
+    }
+    lens->focal_log2 = (int8_t)log2;
+    lens->guard_up = (uint8_t)(log2 > 8 ? log2 - 8 : 0);
+    lens->focal_x = (int32_t)(log2 <= 9 ? fx << (9 - log2) : fx >> (log2 - 9));
+    lens->focal_y = (int32_t)(log2 <= 9 ? fy << (9 - log2) : fy >> (log2 - 9));
+    return PH_OK;
+}
+
+/* n f / (f - n), but less than 8 n: from 2^31 on, times 2^-*shift. */
+static inline uint32_t ph_lens_near(const struct ph_projection *p, int *shift)
+{
+    const uint32_t n = (uint32_t)p->near_z, f = (uint32_t)p->far_z, least = f / 8 + 1;
+    const int up = fx_clz32(n);
+    const uint64_t scaled = fx_quotient_u64(fx_mul_wide_u(n << up, f), f - n > least ? f - n : least);
+    const int down = 32 - fx_clz32((uint32_t)(scaled >> 32)); /* at most 3 */
+    *shift = up - down;
+    return (uint32_t)(scaled >> down);
+}
+
+static inline void ph_lens_depth(struct ph_lens *lens, const struct ph_projection *p, unsigned format)
+{
+    lens->near_z = p->near_z;
+    lens->far_z = p->far_z;
+    int shift = fx_clz32((uint32_t)p->near_z);
+    if (p->kind == PH_ORTHOGRAPHIC) {
+        lens->depth_scale = fx_rcp_norm((uint32_t)p->far_z - (uint32_t)p->near_z, &shift);
+        lens->near_shift = (int8_t)shift;
+        return; /* far_q stays 0: d is 0 at the far plane already */
+    }
+    const bool is_fixed = ph_depth_traits[format].coding == PH_DEPTH_IS_FIXED;
+    const uint32_t norm = is_fixed ? ph_lens_near(p, &shift) : (uint32_t)p->near_z << shift;
+    lens->near_shift = (int8_t)shift;
+    lens->depth_scale = norm - (norm >> ph_depth_head(lens));
+    const struct ph_quotient far = ph_depth_quotient(lens, p->far_z);
+    lens->far_q = far.q;
+    lens->far_s = far.s;
+    if (ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR) {
+        lens->linear = ph_depth_linear_of(lens);
+    }
+}
+
+/* The lens of a projection for a picture of width x height pixels. format, exponent: as in ph_stats. Errors are those
+ * of ph_frame_begin; then the lens stays as it was. */
+static inline int ph_lens_of(struct ph_lens *out, const struct ph_projection *p, int32_t width, int32_t height,
+                             unsigned format, unsigned exponent)
+{
+    if ((p->kind == PH_FISHEYE && p->curved == NULL) || p->far_z <= p->near_z ||
+        (p->kind != PH_ORTHOGRAPHIC && p->near_z <= 0) || p->scale_x_q20 <= 0 || p->scale_y_q20 <= 0) {
+        return PH_ERR_INVAL;
+    }
+    if (p->shift_x > 2 * FX_ONE || p->shift_x < -2 * FX_ONE || p->shift_y > 2 * FX_ONE || p->shift_y < -2 * FX_ONE) {
+        return PH_ERR_RANGE;
+    }
+    struct ph_lens lens = {.kind = (uint8_t)p->kind, .float_down = (uint8_t)(exponent != 0 ? exponent - 1 : 3)};
+    if (p->kind == PH_FISHEYE) {
+        p->curved->set_lens(&lens, p, height);
+    } else if (ph_lens_focal(&lens, p, width, height) != PH_OK) {
+        return PH_ERR_RANGE;
+    }
+    lens.centre_x = ph_lens_centre(width, -p->shift_x);
+    lens.centre_y = ph_lens_centre(height, p->shift_y);
+    ph_lens_depth(&lens, p, format);
+    *out = lens;
+    return PH_OK;
+}
+
+#endif

@@ -1,0 +1,218 @@
+/* Triangles of the small profile: each is set up as render/setup.c does it, and drawn at once. See small.h. */
+#include "../planes.c"
+
+#include "small.h"
+
+#include "exact.h"
+#include "kernels.h"
+#include "outline.h"
+#include "span.h"
+
+/* The colours of a material's pixels: its ramp, or its colour as the only entry. */
+static const uint16_t *ramp_of(const struct ph_material *material)
+{
+    const bool lit = ph_lit_corners_of(material) != PH_NO_CORNER && material->ramp != NULL;
+    return lit ? material->ramp : &material->colour;
+}
+
+/* Whether light is interpolated; else it is `first`, that of the first corner in a plane of light. */
+static bool has_plane(const struct ph_material *material, const struct ph_vertex *v, uint32_t *first)
+{
+    const bool lit = ph_lit_corners_of(material) != PH_NO_CORNER && material->ramp != NULL;
+    *first = lit ? (uint32_t)v->light << 16 : 0;
+    return lit && material->shading->corners == PH_EACH_CORNER;
+}
+
+static bool is_between(int32_t a, int32_t b, int32_t c, int32_t size)
+{
+    return ph_min(ph_min(a, b), c) >= 256 && ph_max(ph_max(a, b), c) <= (size - 1) * 256;
+}
+
+/* Steps down by rows of the upper half. */
+static void step(struct ph_small_triangle *r, uint32_t n)
+{
+    r->left += n * r->left_dx;
+    r->right += n * r->right_dx;
+    r->d += n * r->d_dy;
+    r->light += n * r->light_dy;
+    r->upper_rows = (uint16_t)(r->upper_rows - n);
+}
+
+/* Draws rows from row y of the picture on: ph_long_gouraud, in place. */
+static uint32_t draw_rows(struct ph_small_triangle *r, int32_t y, const struct ph_band *band)
+{
+    const uint32_t stride = band->stride, start = (uint32_t)(y - band->y0) * stride;
+    uint16_t *depth = (uint16_t *)band->depth + start, *pixels = band->pixels + start;
+    uint32_t count = 0;
+    for (; r->upper_rows > 0; ph_small_lower(r)) {
+        while (r->upper_rows > 0) {
+            const uint32_t from = ph_from_column(r->left), columns = ph_to_column(r->right, stride) - from;
+            if ((int32_t)columns > 0) {
+                ph_span_gouraud(pixels + from, depth + from, columns, r->d + r->gd * from, r->gd,
+                                r->light + r->glight * from, r->glight, r->ramp);
+                count += columns;
+            }
+            step(r, 1);
+            depth += stride;
+            pixels += stride;
+        }
+    }
+    return count;
+}
+
+/* Cuts a small triangle that begins at row y to the band, and draws it. */
+static uint32_t draw_small(struct ph_small_triangle *rows, int32_t y, const struct ph_band *band)
+{
+    uint32_t above = y < band->y0 ? (uint32_t)(band->y0 - y) : 0;
+    if (above >= rows->upper_rows) {
+        above -= rows->upper_rows;
+        step(rows, rows->upper_rows);
+        ph_small_lower(rows);
+    }
+    step(rows, above);
+    const int32_t from = ph_max(y, band->y0);
+    const uint32_t left = (uint32_t)(band->y1 - from);
+    rows->upper_rows = rows->upper_rows < left ? rows->upper_rows : (uint16_t)left;
+    const uint32_t lower = left - rows->upper_rows;
+    rows->lower_rows = rows->lower_rows < lower ? rows->lower_rows : (uint16_t)lower;
+    return draw_rows(rows, from, band);
+}
+
+/* Sets up a small triangle with these depths. False: they do not fit. */
+static bool setup_small(const struct ph_material *material, const struct ph_vertex *const v[3],
+                        const struct ph_sides *sides, const uint32_t d[3], struct ph_triangle *t)
+{
+    struct ph_small_triangle *const rows = &t->as.small.rows;
+    uint32_t first;
+    if (((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 != 0) {
+        return false;
+    }
+    rows->ramp = ramp_of(material);
+    if (ph_setup_small(t, v, sides, d) == PH_SMALL_STEEP) {
+        struct ph_plane plane;
+        if (!ph_depth_plane(&plane, v[0], sides, d)) {
+            return false;
+        }
+        rows->gd = plane.gx;
+        rows->d_dy = plane.gy;
+        rows->d = plane.base + (uint32_t)t->y_top * plane.gy;
+    }
+    if (!has_plane(material, v[0], &first)) {
+        rows->light = first;
+        rows->glight = rows->light_dy = 0;
+    }
+    return true;
+}
+
+/* Rows, edges and light of a triangle that is not small. */
+static void setup_large(const struct ph_renderer *r, const struct ph_material *material,
+                        const struct ph_vertex *const v[3], const struct ph_sides *sides, struct ph_triangle *t)
+{
+    uint32_t first;
+    ph_setup_outline(r->config.height, v, t);
+    t->material = material;
+    t->block = PH_BLOCK_NONE;
+    t->kind = PH_KIND_FLAT;
+    if (has_plane(material, v[0], &first)) {
+        struct ph_plane_base base;
+        const int32_t light[3] = {v[0]->light, v[1]->light, v[2]->light};
+        plane_base(&base, v[0], sides);
+        plane_light(&t->as.large.of.light, &base, light);
+        t->kind = PH_KIND_GOURAUD;
+    } else {
+        t->as.large.of.colour = ramp_of(material)[first >> 25];
+    }
+}
+
+/* Draws rows of a half of a large triangle, with depth in a plane. */
+static uint32_t draw_half(const struct ph_triangle *t, const struct ph_plane *depth, const struct ph_half_rows *in,
+                          const struct ph_band *band)
+{
+    static const struct ph_plane no_light = {0, 0, 0};
+    const bool shaded = t->kind == PH_KIND_GOURAUD;
+    const struct ph_plane *const light = shaded ? &t->as.large.of.light : &no_light;
+    const uint32_t y = (uint32_t)in->y;
+    struct ph_small_triangle r;
+    r.ramp = shaded ? t->material->ramp : &t->as.large.of.colour;
+    r.upper_rows = (uint16_t)(in->y_end - in->y);
+    r.lower_rows = 0;
+    r.left = (uint32_t)in->left.x;
+    r.left_dx = (uint32_t)in->left.dx;
+    r.right = (uint32_t)in->right.x;
+    r.right_dx = (uint32_t)in->right.dx;
+    r.d = depth->base + y * depth->gy;
+    r.gd = depth->gx;
+    r.d_dy = depth->gy;
+    r.light = light->base + y * light->gy;
+    r.glight = light->gx;
+    r.light_dy = light->gy;
+    return draw_rows(&r, in->y, band);
+}
+
+bool ph_small_draw(struct ph_renderer *r, const struct ph_material *material, const struct ph_band *band,
+                   const struct ph_vertex *const v[3])
+{
+    const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
+    struct ph_triangle t;
+    struct ph_half_rows in;
+    uint32_t d[3];
+    fixed_depths(r, v, ph_depth_bias(material), d);
+    if (ph_sides_are_small(&sides) && is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
+        is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height) && setup_small(material, v, &sides, d, &t)) {
+        r->stats.fragments += draw_small(&t.as.small.rows, t.y_top, band);
+        return true;
+    }
+    if (!ph_depth_plane(&t.as.large.depth.as.plane, v[0], &sides, d)) {
+        return false;
+    }
+    setup_large(r, material, v, &sides, &t);
+    for (int half = 0; half < 2; half++) {
+        if (ph_rows_of_half_apart(&t, band, half, &in)) {
+            r->stats.fragments += draw_half(&t, &t.as.large.depth.as.plane, &in, band);
+        }
+    }
+    return true;
+}
+
+/* Draws rows of a strip whose depth leaves the range of the corners, run by run. */
+static uint32_t draw_runs(const struct ph_triangle *t, const struct ph_small_exact *e, struct ph_half_rows in,
+                          const struct ph_band *band)
+{
+    uint32_t count = 0;
+    while (in.y < in.y_end) {
+        int32_t x, to;
+        const int32_t y = in.y++;
+        ph_next_row(&in.left, &in.right, band->width, &x, &to);
+        while (x < to) {
+            struct ph_plane run;
+            const int32_t end = x + ph_small_exact_run(e, x, to, y, &run);
+            const struct ph_half_rows row = {y, y + 1, {x * 65536, 0}, {end * 65536, 0}};
+            count += draw_half(t, &run, &row, band);
+            x = end;
+        }
+    }
+    return count;
+}
+
+PH_NOINLINE void ph_small_draw_exact(struct ph_renderer *r, const struct ph_material *material,
+                                     const struct ph_band *band, const struct ph_vertex *const v[3])
+{
+    const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
+    struct ph_band strip = {.y0 = band->y0 & ~(PH_EXACT_ROWS - 1)};
+    struct ph_small_exact e;
+    struct ph_triangle t;
+    setup_large(r, material, v, &sides, &t);
+    ph_small_set_exact(r, ph_depth_bias(material), v, &sides, &e);
+    for (strip.y0 = ph_max(strip.y0, t.y_top); strip.y0 < t.y_bottom && strip.y0 < band->y1; strip.y0 = strip.y1) {
+        const int half = strip.y0 >= t.as.large.y_mid;
+        struct ph_half_rows rows, in;
+        struct ph_plane run;
+        strip.y1 = ph_min((strip.y0 | (PH_EXACT_ROWS - 1)) + 1, half ? t.y_bottom : t.as.large.y_mid);
+        const struct ph_band cut = {.y0 = ph_max(strip.y0, band->y0), .y1 = ph_min(strip.y1, band->y1)};
+        ph_rows_of_half_apart(&t, &strip, half, &rows);
+        if (ph_rows_of_half_apart(&t, &cut, half, &in)) {
+            r->stats.fragments += ph_small_exact_rows(&e, &rows, band->width, &run) ? draw_half(&t, &run, &in, band)
+                                                                                    : draw_runs(&t, &e, in, band);
+        }
+    }
+}
