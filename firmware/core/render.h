@@ -307,7 +307,7 @@ extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 /* ph_vertex_bytes and ph_triangle_bytes where pointers have 32 bits, for budgets that are equal on every machine. */
 #ifdef PH_PROFILE_SMALL
 #define PH_VERTEX_BYTES_32 10
-#define PH_PART_BYTES      104 /* of the triangle budget, for each part of a mesh: see render/small/small.h */
+#define PH_PART_BYTES      88  /* of the triangle budget, for each part of a mesh: see render/small/small.h */
 #define PH_CLIP_BYTES      520 /* ... and once a frame that has a mesh of which something may be clipped */
 #else
 #define PH_VERTEX_BYTES_32 16

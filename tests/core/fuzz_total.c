@@ -230,7 +230,8 @@ static void unary(const int32_t *a)
     kept = (int32_t)(fx_turn32_from_deg(*a) ^ fx_turn32_from_rad(*a) ^ fx_magnitude(*a));
     kept = fx_clz32((uint32_t)*a);
     kept = (int32_t)(fx_rsqrt_norm((uint32_t)*a | 1u << 30) ^ fx_rsqrt16((uint32_t)*a | 1u << 30) ^
-                     fx_rcp16(((uint32_t)*a >> 17) | 1u << 15) ^ fx_rcp_newton((uint32_t)*a | 1u << 31));
+                     fx_rcp16(((uint32_t)*a >> 17) | 1u << 15) ^ fx_rcp_newton((uint32_t)*a | 1u << 31) ^
+                     fx_rcp_top((uint32_t)*a | 1u << 31));
     int shift;
     kept = (int32_t)fx_rcp_norm((uint32_t)*a, &shift);
     check(shift == (*a != 0 ? fx_clz32((uint32_t)*a) : 31), "fx_rcp_norm's shift");

@@ -9,19 +9,21 @@
 enum { CODE_DOWN = 24 }; /* from 2^-56 to 16.16 codes */
 
 /* The plane of a run, through d at pixel (x, y). */
-static void set_plane_of_run(const struct ph_small_exact *e, uint64_t d, uint32_t x, uint32_t y, struct ph_plane *run)
+static void set_plane_of_run(const struct ph_exact *e, uint32_t bias, uint64_t d, uint32_t x, uint32_t y,
+                             struct ph_plane *run)
 {
-    const uint32_t gx = in_codes(load(e->plane.gx), CODE_DOWN, 1), gy = in_codes(load(e->plane.gy), CODE_DOWN, 1);
-    *run = (struct ph_plane){in_codes(d, CODE_DOWN, 0) + e->offset - x * gx - y * gy, gx, gy};
+    const uint32_t gx = in_codes(load(e->gx), CODE_DOWN, 1), gy = in_codes(load(e->gy), CODE_DOWN, 1);
+    *run =
+        (struct ph_plane){in_codes(d, CODE_DOWN, 0) + PH_DEPTH_BIAS_FIXED16 + (bias << 16) - x * gx - y * gy, gx, gy};
 }
 
-static bool is_in_range(const struct ph_small_exact *e, uint32_t x, uint32_t y)
+static bool is_in_range(const struct ph_exact *e, uint32_t x, uint32_t y)
 {
-    return depth_at(&e->plane, x, y) - load(e->plane.low) <= load(e->plane.size);
+    return depth_at(e, x, y) - load(e->low) <= load(e->size);
 }
 
-void ph_small_set_exact(const struct ph_renderer *r, uint32_t bias, const struct ph_vertex *const v[3],
-                        const struct ph_sides *sides, struct ph_small_exact *e)
+void ph_small_set_exact(const struct ph_renderer *r, const struct ph_vertex *const v[3], const struct ph_sides *sides,
+                        struct ph_exact *e)
 {
     const int64_t far = in_40_bits(r->lens.far_q, r->lens.far_s);
     int64_t d[3];
@@ -29,11 +31,10 @@ void ph_small_set_exact(const struct ph_renderer *r, uint32_t bias, const struct
         const int64_t before = in_40_bits(v[i]->q, v[i]->s) - far;
         d[i] = before > 0 ? before : 0;
     }
-    set_plane(&e->plane, d, v[0], sides);
-    e->offset = PH_DEPTH_BIAS_FIXED16 + (bias << 16);
+    set_plane(e, d, v[0], sides);
 }
 
-bool ph_small_exact_rows(const struct ph_small_exact *e, const struct ph_half_rows *rows, int32_t width,
+bool ph_small_exact_rows(const struct ph_exact *e, uint32_t bias, const struct ph_half_rows *rows, int32_t width,
                          struct ph_plane *run)
 {
     const int32_t more = rows->y_end - 1 - rows->y;
@@ -45,15 +46,16 @@ bool ph_small_exact_rows(const struct ph_small_exact *e, const struct ph_half_ro
         return false;
     }
     const uint32_t x_mid = (x0 + x1) / 2, y_mid = (y0 + y1) / 2;
-    set_plane_of_run(e, depth_at(&e->plane, x_mid, y_mid), x_mid, y_mid, run);
+    set_plane_of_run(e, bias, depth_at(e, x_mid, y_mid), x_mid, y_mid, run);
     return true;
 }
 
-int32_t ph_small_exact_run(const struct ph_small_exact *e, int32_t x, int32_t x_end, int32_t y, struct ph_plane *run)
+int32_t ph_small_exact_run(const struct ph_exact *e, uint32_t bias, int32_t x, int32_t x_end, int32_t y,
+                           struct ph_plane *run)
 {
-    const struct range range = {load(e->plane.low), load(e->plane.size)};
-    const uint64_t gx = load(e->plane.gx);
-    uint64_t d = depth_at(&e->plane, (uint32_t)x, (uint32_t)y);
+    const struct range range = {load(e->low), load(e->size)};
+    const uint64_t gx = load(e->gx);
+    uint64_t d = depth_at(e, (uint32_t)x, (uint32_t)y);
     uint32_t count = 1;
     if (holds(&range, d)) {
         count = pixels_in(&range, d, gx, (uint32_t)ph_min(x_end - x, PH_EXACT_RUN));
@@ -61,6 +63,6 @@ int32_t ph_small_exact_run(const struct ph_small_exact *e, int32_t x, int32_t x_
         d = (int64_t)(d - range.bottom) < 0 ? range.bottom : range.bottom + range.size;
     }
     const uint32_t mid = (count - 1) / 2;
-    set_plane_of_run(e, d + mid * gx, (uint32_t)x + mid, (uint32_t)y, run);
+    set_plane_of_run(e, bias, d + mid * gx, (uint32_t)x + mid, (uint32_t)y, run);
     return (int32_t)count;
 }

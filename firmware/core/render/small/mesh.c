@@ -34,9 +34,10 @@ static void store(struct ph_small_vertex *to, const struct ph_vertex *v)
 }
 
 /* Transforms and lights the vertices of a mesh for a material. NULL: there is no room. */
-static const struct ph_small_vertex *transform(struct ph_renderer *r, const struct ph_mesh *mesh,
-                                               const struct ph_clip_matrix *matrix, const struct ph_xform *to_world,
-                                               const struct ph_material *material)
+static PH_NOINLINE const struct ph_small_vertex *transform(struct ph_renderer *r, const struct ph_mesh *mesh,
+                                                           const struct ph_clip_matrix *matrix,
+                                                           const struct ph_xform *to_world,
+                                                           const struct ph_material *material)
 {
     struct ph_small_vertex *const to = ph_small_vertices(r, mesh->vertex_count);
     const bool lit = mesh->normals != NULL && ph_lit_corners_of(material) != PH_NO_CORNER;
@@ -69,6 +70,14 @@ static bool is_lit_alike(const struct ph_material *a, const struct ph_material *
             a->specular == b->specular && a->shininess_log2 == b->shininess_log2);
 }
 
+/* Out of line, for its copies of a matrix would stay on the stack. */
+static PH_NOINLINE void set_matrix(const struct ph_renderer *r, const struct ph_xform *to_world,
+                                   struct ph_clip_matrix *matrix)
+{
+    const struct ph_xform object_to_view = ph_xform_mul(&r->view, to_world);
+    *matrix = ph_clip_matrix(&r->lens, &object_to_view);
+}
+
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
     if (!ph_check_mesh(mesh) || to_world == NULL || !is_drawn(mesh)) {
@@ -77,8 +86,6 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
     if (r->state != PH_SMALL_OPEN) {
         return PH_ERR_STATE;
     }
-    const struct ph_xform object_to_view = ph_xform_mul(&r->view, to_world);
-    const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &object_to_view);
     const struct ph_material *lit_as = NULL;
     const struct ph_small_vertex *vertices = NULL;
     for (uint32_t i = 0; i < mesh->part_count; i++) {
@@ -86,15 +93,17 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
         const struct ph_material *const material = &mesh->materials[part->material];
         struct ph_small_part *const to = ph_small_room(r, sizeof *to);
         r->stats.triangles_in += part->count;
+        if (to != NULL) {
+            set_matrix(r, to_world, &to->matrix);
+        }
         if (to != NULL && (vertices == NULL || !is_lit_alike(lit_as, material))) {
             lit_as = material;
-            vertices = transform(r, mesh, &matrix, to_world, material);
+            vertices = transform(r, mesh, &to->matrix, to_world, material);
         }
         if (to == NULL || vertices == NULL) {
             r->stats.triangles_dropped += part->count;
             continue;
         }
-        to->matrix = matrix;
         to->material = material;
         to->positions = mesh->positions;
         to->triangles = &mesh->triangles[part->first];

@@ -174,18 +174,26 @@ bool ph_small_draw(struct ph_renderer *r, const struct ph_material *material, co
     return true;
 }
 
+/* The rows of a half between two rows. False: there are none. */
+static PH_NOINLINE bool rows_of_half(const struct ph_triangle *t, int32_t y0, int32_t y1, int half,
+                                     struct ph_half_rows *in)
+{
+    const struct ph_band rows = {.y0 = y0, .y1 = y1};
+    return ph_rows_of_half(t, &rows, half, in);
+}
+
 /* Draws rows of a strip whose depth leaves the range of the corners, run by run. */
-static uint32_t draw_runs(const struct ph_triangle *t, const struct ph_small_exact *e, struct ph_half_rows in,
-                          const struct ph_band *band)
+static PH_NOINLINE uint32_t draw_runs(const struct ph_triangle *t, uint32_t bias, struct ph_half_rows *in,
+                                      const struct ph_band *band)
 {
     uint32_t count = 0;
-    while (in.y < in.y_end) {
+    while (in->y < in->y_end) {
         int32_t x, to;
-        const int32_t y = in.y++;
-        ph_next_row(&in.left, &in.right, band->width, &x, &to);
+        const int32_t y = in->y++;
+        ph_next_row(&in->left, &in->right, band->width, &x, &to);
         while (x < to) {
             struct ph_plane run;
-            const int32_t end = x + ph_small_exact_run(e, x, to, y, &run);
+            const int32_t end = x + ph_small_exact_run(&t->as.large.depth.as.exact, bias, x, to, y, &run);
             const struct ph_half_rows row = {y, y + 1, {x * 65536, 0}, {end * 65536, 0}};
             count += draw_half(t, &run, &row, band);
             x = end;
@@ -198,21 +206,21 @@ PH_NOINLINE void ph_small_draw_exact(struct ph_renderer *r, const struct ph_mate
                                      const struct ph_band *band, const struct ph_vertex *const v[3])
 {
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    struct ph_band strip = {.y0 = band->y0 & ~(PH_EXACT_ROWS - 1)};
-    struct ph_small_exact e;
     struct ph_triangle t;
+    struct ph_exact *const e = &t.as.large.depth.as.exact;
+    const uint32_t bias = ph_depth_bias(material);
+    int32_t next;
     setup_large(r, material, v, &sides, &t);
-    ph_small_set_exact(r, ph_depth_bias(material), v, &sides, &e);
-    for (strip.y0 = ph_max(strip.y0, t.y_top); strip.y0 < t.y_bottom && strip.y0 < band->y1; strip.y0 = strip.y1) {
-        const int half = strip.y0 >= t.as.large.y_mid;
-        struct ph_half_rows rows, in;
+    ph_small_set_exact(r, v, &sides, e);
+    for (int32_t y = ph_max(band->y0 & ~(PH_EXACT_ROWS - 1), t.y_top); y < t.y_bottom && y < band->y1; y = next) {
+        const int half = y >= t.as.large.y_mid;
+        struct ph_half_rows in;
         struct ph_plane run;
-        strip.y1 = ph_min((strip.y0 | (PH_EXACT_ROWS - 1)) + 1, half ? t.y_bottom : t.as.large.y_mid);
-        const struct ph_band cut = {.y0 = ph_max(strip.y0, band->y0), .y1 = ph_min(strip.y1, band->y1)};
-        ph_rows_of_half_apart(&t, &strip, half, &rows);
-        if (ph_rows_of_half_apart(&t, &cut, half, &in)) {
-            r->stats.fragments += ph_small_exact_rows(&e, &rows, band->width, &run) ? draw_half(&t, &run, &in, band)
-                                                                                    : draw_runs(&t, &e, in, band);
+        next = ph_min((y | (PH_EXACT_ROWS - 1)) + 1, half ? t.y_bottom : t.as.large.y_mid);
+        rows_of_half(&t, y, next, half, &in);
+        const bool is_strip = ph_small_exact_rows(e, bias, &in, band->width, &run);
+        if (rows_of_half(&t, ph_max(y, band->y0), ph_min(next, band->y1), half, &in)) {
+            r->stats.fragments += is_strip ? draw_half(&t, &run, &in, band) : draw_runs(&t, bias, &in, band);
         }
     }
 }

@@ -71,20 +71,16 @@ bool ph_small_draw(struct ph_renderer *r, const struct ph_material *material, co
 void ph_small_draw_exact(struct ph_renderer *r, const struct ph_material *material, const struct ph_band *band,
                          const struct ph_vertex *const v[3]);
 
-/* Depth of 64 bits: a plane, and what is added to its codes. */
-struct ph_small_exact {
-    struct ph_exact plane;
-    uint32_t offset;
-};
-
-void ph_small_set_exact(const struct ph_renderer *r, uint32_t bias, const struct ph_vertex *const v[3],
-                        const struct ph_sides *sides, struct ph_small_exact *e);
+/* The plane of depth of a triangle, in 64 bits: see exact.h. */
+void ph_small_set_exact(const struct ph_renderer *r, const struct ph_vertex *const v[3], const struct ph_sides *sides,
+                        struct ph_exact *e);
 
 /* The plane of rows, if none of their depths leaves the range of the corners; else false. */
-bool ph_small_exact_rows(const struct ph_small_exact *e, const struct ph_half_rows *rows, int32_t width,
+bool ph_small_exact_rows(const struct ph_exact *e, uint32_t bias, const struct ph_half_rows *rows, int32_t width,
                          struct ph_plane *run);
 
 /* The plane of the next run of row y, from column x on. Returns its pixels, at least one. */
-int32_t ph_small_exact_run(const struct ph_small_exact *e, int32_t x, int32_t x_end, int32_t y, struct ph_plane *run);
+int32_t ph_small_exact_run(const struct ph_exact *e, uint32_t bias, int32_t x, int32_t x_end, int32_t y,
+                           struct ph_plane *run);
 
 #endif
