@@ -22,7 +22,7 @@ const uint16_t fx_rcp_table[256] = {
     2083, 2078, 2074, 2070, 2066, 2062, 2058, 2054, 2050,
 };
 
-PH_TIER(mesh) uint32_t fx_rcp_far(uint32_t w, int *shift)
+PH_TIER(few) uint32_t fx_rcp_far(uint32_t w, int *shift)
 {
     return fx_rcp_norm(w, shift);
 }
