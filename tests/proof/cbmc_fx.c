@@ -6,6 +6,7 @@
 #include "../../firmware/core/fx/fx_root.c"
 #include "../../firmware/core/fx/fx_tan.c"
 #include "../../firmware/core/fx/fx_trig.c"
+#include "../../firmware/core/fx/fx_wide.c"
 #include "../../firmware/core/kernels/portable/fx_mul.c"
 
 void proof_sums(void)
@@ -30,7 +31,17 @@ void proof_products(void)
 
 void proof_rcp(void)
 {
+    int shift;
     fx_rcp_sat(nondet_i32());
+    fx_rcp_far(nondet_u32(), &shift);
+    CLAIM(shift >= 0 && shift < 32);
+}
+
+/* It ends; that its result is the quotient, test_fx and fuzz_total compare with the compiler's division. */
+void proof_quotient_bits(void)
+{
+    const int64_t d = i64_between(1, INT64_MAX);
+    fx_quotient_bits((uint64_t)nondet_i64(), (uint64_t)d);
 }
 
 void proof_rcp_newton(void)
