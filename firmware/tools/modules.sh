@@ -34,7 +34,7 @@ awk '
         if (object ~ /^(main-[^\/]*|(.*\/)?cc[A-Za-z0-9]+)$/) { return "the program itself" } # gcc calls its object so
         if (object == "linker") { return "linker: calls between flash and RAM" }
         if (object ~ /^libgcc\.a\(/) { return "libgcc: " arithmetic(substr(object, 10)) }
-        if (sub(/^lib[cg](_nano)?\.a\((lib_a-)?/, "libc: ", object)) { sub(/-stub$/, "", object) }
+        if (sub(/^lib[cg](_nano)?\.a\((lib_a-)?/, "libc: ", object)) { sub(/-.*/, "", object) } # of its variants
         sub(/^libpinhole\.a\(/, "", object)
         return object
     }

@@ -21,6 +21,12 @@ static inline int32_t ph_max(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
+/* Whether three coordinates keep a pixel away from both borders of a picture of that size. */
+static inline bool ph_is_between(int32_t a, int32_t b, int32_t c, int32_t size)
+{
+    return ph_min(ph_min(a, b), c) >= 256 && ph_max(ph_max(a, b), c) <= (size - 1) * 256;
+}
+
 /* First row whose centre is at or below y (1/256 px). */
 static inline int32_t ph_first_row(int32_t y)
 {

@@ -17,21 +17,9 @@ static int32_t clamp_q14(fx_t v, fx_t most)
 /* The unit vector of any vector, in Q1.14; zero stays zero. */
 static void unit_q14(const int32_t in[3], int16_t out[3])
 {
-    uint32_t largest = 0;
-    for (int i = 0; i < 3; i++) {
-        largest |= fx_magnitude(in[i]);
-        out[i] = 0;
-    }
-    if (largest == 0) {
-        return;
-    }
-    const int bits = 32 - fx_clz32(largest); /* scaled to components of 14 bits */
     int32_t v[3];
-    uint32_t sum = 0;
-    for (int i = 0; i < 3; i++) {
-        v[i] = bits > 14 ? in[i] >> (bits - 14) : in[i] * (1 << (14 - bits));
-        sum += (uint32_t)(v[i] * v[i]);
-    }
+    int bits;
+    const uint32_t sum = ph_scale_q14(in, v, &bits);
     const fx_t inverse = fx_rsqrt_sat((fx_t)(sum >> 12)); /* |v| = 2^14 sqrt(sum / 2^28): 1 / that in Q16.16 */
     for (int i = 0; i < 3; i++) {
         out[i] = (int16_t)((v[i] * (inverse >> 2)) >> 14);
@@ -82,18 +70,26 @@ bool ph_light_has_colour(const struct ph_scene_light *light)
     return any != 0;
 }
 
+/* What all lights of a mesh and a material share. */
+static void prepare_material(struct ph_local_lights *local, const struct ph_renderer *r,
+                             const struct ph_xform *to_world, const struct ph_material *material)
+{
+    const struct fx_vec3 viewer = {r->view.r[2][0], r->view.r[2][1], r->view.r[2][2]};
+    local->ambient = (clamp_q14(r->light.ambient, FX_ONE) * clamp_q14(material->ambient, FX_ONE)) >> 14;
+    local->shininess_log2 = material->shininess_log2 < 7 ? material->shininess_log2 : 7;
+    local->scale =
+        (int32_t)(((uint32_t)PH_LIGHT_SPAN << 14) / (16384 + (uint32_t)clamp_q14(material->specular, FX_ONE)));
+    local->limit = (int32_t)(((uint32_t)PH_LIGHT_SPAN << 14) / (uint32_t)local->scale);
+    ph_light_to_local(to_world, viewer, local->to_viewer);
+}
+
 void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r, const struct ph_xform *to_world,
                       const struct ph_material *material, bool coloured)
 {
     const struct ph_scene_light *scene = &r->light;
     const int32_t diffuse = clamp_q14(material->diffuse, FX_ONE), specular = clamp_q14(material->specular, FX_ONE);
-    local->ambient = (clamp_q14(scene->ambient, FX_ONE) * clamp_q14(material->ambient, FX_ONE)) >> 14;
-    local->shininess_log2 = material->shininess_log2 < 7 ? material->shininess_log2 : 7;
+    prepare_material(local, r, to_world, material);
     local->count = scene->count;
-    local->scale = (int32_t)(((uint32_t)PH_LIGHT_SPAN << 14) / (16384 + (uint32_t)specular));
-    local->limit = (int32_t)(((uint32_t)PH_LIGHT_SPAN << 14) / (uint32_t)local->scale);
-    const struct fx_vec3 viewer = {r->view.r[2][0], r->view.r[2][1], r->view.r[2][2]};
-    ph_light_to_local(to_world, viewer, local->to_viewer);
     for (uint32_t i = 0; i < scene->count; i++) {
         const struct ph_light *light = &scene->lights[i];
         struct ph_local_light *l = &local->light[i];
@@ -136,6 +132,15 @@ static inline __attribute__((always_inline)) bool add_of(const struct ph_local_l
                            : add_directional(local, l, normal, diffuse, specular);
 }
 
+/* The light of a vertex, of what all lights add up to. */
+static inline __attribute__((always_inline)) uint16_t light_of(const struct ph_local_lights *local, int32_t diffuse,
+                                                               int32_t specular)
+{
+    const int32_t total = (diffuse > 16384 ? 16384 : diffuse) + specular;
+    const int32_t capped = total > local->limit ? local->limit : total;
+    return (uint16_t)(PH_LIGHT_ZERO + (((uint32_t)capped * (uint32_t)local->scale) >> 14));
+}
+
 /* The light of a vertex under any lights. */
 PH_TIER(mesh)
 static PH_NOINLINE uint16_t any_light(const struct ph_local_lights *local, const int16_t normal[3],
@@ -149,9 +154,7 @@ static PH_NOINLINE uint16_t any_light(const struct ph_local_lights *local, const
             specular += shine;
         }
     }
-    const int32_t total = (diffuse > 16384 ? 16384 : diffuse) + specular;
-    const int32_t capped = total > local->limit ? local->limit : total;
-    return (uint16_t)(PH_LIGHT_ZERO + (((uint32_t)capped * (uint32_t)local->scale) >> 14));
+    return light_of(local, diffuse, specular);
 }
 
 /* A channel of 0 .. top under this light: black at 0, its colour at 1, white at 2. */

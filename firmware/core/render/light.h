@@ -42,6 +42,19 @@ static inline __attribute__((always_inline)) int32_t ph_dot_q14(const int16_t a[
     return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) >> 14;
 }
 
+/* v is `in`, scaled so that its largest component has 14 bits; *bits is how many it had. Returns the square of v's
+ * length, 2^26 .. 3 2^28; 0 for the zero vector. */
+static inline uint32_t ph_scale_q14(const int32_t in[3], int32_t v[3], int *bits)
+{
+    uint32_t sum = 0;
+    *bits = 32 - fx_clz32(fx_magnitude(in[0]) | fx_magnitude(in[1]) | fx_magnitude(in[2]));
+    for (int i = 0; i < 3; i++) {
+        v[i] = *bits > 14 ? in[i] >> (*bits - 14) : in[i] * (1 << (14 - *bits));
+        sum += (uint32_t)(v[i] * v[i]);
+    }
+    return sum;
+}
+
 /* Brings a direction of the world, of any length, into the coordinates of the mesh as a unit vector in Q1.14. */
 void ph_light_to_local(const struct ph_xform *to_world, struct fx_vec3 d, int16_t out[3]);
 

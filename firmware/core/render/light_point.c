@@ -12,14 +12,9 @@ struct length {
  */
 static struct length quick_unit_q14(const int32_t in[3], int16_t out[3])
 {
-    const uint32_t largest = fx_magnitude(in[0]) | fx_magnitude(in[1]) | fx_magnitude(in[2]);
-    const int bits = 32 - fx_clz32(largest); /* scaled to components of 14 bits */
     int32_t v[3];
-    uint32_t sum = 0;
-    for (int i = 0; i < 3; i++) {
-        v[i] = bits > 14 ? in[i] >> (bits - 14) : in[i] * (1 << (14 - bits));
-        sum += (uint32_t)(v[i] * v[i]);
-    }
+    int bits;
+    const uint32_t sum = ph_scale_q14(in, v, &bits);
     const int up = sum >> 28 != 0 ? 1 : 2;
     const int32_t inverse = sum != 0 ? (int32_t)fx_rsqrt16(sum << 2 * up) : 0; /* 2^31 / sqrt */
     for (int i = 0; i < 3; i++) {

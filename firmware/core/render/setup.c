@@ -4,10 +4,12 @@
  * Most triangles of a mesh are small Gouraud ones: ph_setup_small of kernels.h sets these up, setup_any all others.
  */
 #include "tier.h"
+#include <stdbool.h>
 #include <stdint.h>
 
-/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
+/* Copies of these inline functions that the compiler does not inline here lie with what calls them. */
 PH_TIER(mesh) static inline int fx_clz32(uint32_t v);
+PH_TIER(mesh) static inline bool ph_is_between(int32_t a, int32_t b, int32_t c, int32_t size);
 
 #include "setup.h"
 
@@ -32,19 +34,13 @@ static PH_NOINLINE bool setup_any(const struct ph_renderer *r, const struct ph_m
     return ph_set_planes(t, r, v, uv, sides);
 }
 
-/* Whether all three coordinates keep a pixel away from the borders. */
-PH_TIER(mesh) static bool is_between(int32_t a, int32_t b, int32_t c, int32_t size)
-{
-    return ph_min(ph_min(a, b), c) >= 256 && ph_max(ph_max(a, b), c) <= (size - 1) * 256;
-}
-
 /* Whether a small triangle keeps a pixel off the borders. Mostly its first corner tells: see inner() in frame.c. */
 static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex *const v[3])
 {
     const uint32_t margin = PH_SIDE_SMALL + 256;
     return ((uint32_t)v[0]->x - margin < r->inner_x && (uint32_t)v[0]->y - margin < r->inner_y) ||
-           (is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
-            is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
+           (ph_is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
+            ph_is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
 }
 
 /* Whether a triangle is as narrow as a small one. */
@@ -64,8 +60,8 @@ static PH_NOINLINE enum excess excess_of(const struct ph_setting *s, const struc
     const uint32_t dx1 = (uint32_t)sides->dx1, dx2 = (uint32_t)sides->dx2, dy = (uint32_t)(sides->dy2 - sides->dy1);
     if (!s->takes_narrow || !sides->is_short ||
         ((dy + PH_SIDE_SHORT) | (dx2 - dx1 + PH_SIDE_SHORT)) >= 2 * PH_SIDE_SHORT ||
-        !is_between(v[0]->x, v[1]->x, v[2]->x, s->r->config.width) ||
-        !is_between(v[0]->y, v[1]->y, v[2]->y, s->r->config.height)) {
+        !ph_is_between(v[0]->x, v[1]->x, v[2]->x, s->r->config.width) ||
+        !ph_is_between(v[0]->y, v[1]->y, v[2]->y, s->r->config.height)) {
         return LARGE;
     }
     return is_narrow(dx1, dx2) ? NARROW : LONG_ROWS;

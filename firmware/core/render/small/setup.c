@@ -6,6 +6,7 @@
 #include "exact.h"
 #include "kernels.h"
 #include "outline.h"
+#include "raster_rows.h"
 #include "span.h"
 
 /* The colours of a material's pixels: its ramp, or its colour as the only entry. */
@@ -23,21 +24,6 @@ static bool has_plane(const struct ph_material *material, const struct ph_vertex
     return lit && material->shading->corners == PH_EACH_CORNER;
 }
 
-static bool is_between(int32_t a, int32_t b, int32_t c, int32_t size)
-{
-    return ph_min(ph_min(a, b), c) >= 256 && ph_max(ph_max(a, b), c) <= (size - 1) * 256;
-}
-
-/* Steps down by rows of the upper half. */
-static void step(struct ph_small_triangle *r, uint32_t n)
-{
-    r->left += n * r->left_dx;
-    r->right += n * r->right_dx;
-    r->d += n * r->d_dy;
-    r->light += n * r->light_dy;
-    r->upper_rows = (uint16_t)(r->upper_rows - n);
-}
-
 /* Draws rows from row y of the picture on: ph_long_gouraud, in place. */
 static uint32_t draw_rows(struct ph_small_triangle *r, int32_t y, const struct ph_band *band)
 {
@@ -52,7 +38,7 @@ static uint32_t draw_rows(struct ph_small_triangle *r, int32_t y, const struct p
                                 r->light + r->glight * from, r->glight, r->ramp);
                 count += columns;
             }
-            step(r, 1);
+            ph_skip_upper_rows(r, 1, r->upper_rows, r->lower_rows);
             depth += stride;
             pixels += stride;
         }
@@ -63,13 +49,9 @@ static uint32_t draw_rows(struct ph_small_triangle *r, int32_t y, const struct p
 /* Cuts a small triangle that begins at row y to the band, and draws it. */
 static uint32_t draw_small(struct ph_small_triangle *rows, int32_t y, const struct ph_band *band)
 {
-    uint32_t above = y < band->y0 ? (uint32_t)(band->y0 - y) : 0;
-    if (above >= rows->upper_rows) {
-        above -= rows->upper_rows;
-        step(rows, rows->upper_rows);
-        ph_small_lower(rows);
+    if (y < band->y0) {
+        ph_skip_rows_of(rows, (uint32_t)(band->y0 - y), rows->upper_rows, rows->lower_rows);
     }
-    step(rows, above);
     const int32_t from = ph_max(y, band->y0);
     const uint32_t left = (uint32_t)(band->y1 - from);
     rows->upper_rows = rows->upper_rows < left ? rows->upper_rows : (uint16_t)left;
@@ -157,8 +139,8 @@ bool ph_small_draw(struct ph_renderer *r, const struct ph_material *material, co
     struct ph_half_rows in;
     uint32_t d[3];
     fixed_depths(r, v, ph_depth_bias(material), d);
-    if (ph_sides_are_small(&sides) && is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
-        is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height) && setup_small(material, v, &sides, d, &t)) {
+    if (ph_sides_are_small(&sides) && ph_is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
+        ph_is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height) && setup_small(material, v, &sides, d, &t)) {
         r->stats.fragments += draw_small(&t.as.small.rows, t.y_top, band);
         return true;
     }
