@@ -113,11 +113,14 @@ more_than_the_chip_has() {
     grep -q "allows 200000 bytes of RAM, but the chip has 196608: correct image_ram" <<<"$said" || { echo "$said" && return 1; }
 }
 
-refuses() { # pattern in its one line, C text
+refuses() { # pattern in its one line, C text, other variables of make...
     printf '%s\n' "$2" >"$dir/mine.c"
-    firmware BOARD="$board" APP="$dir/mine.c" >"$dir/out" 2>&1 && echo "accepts it" && return 1
+    firmware BOARD="$board" APP="$dir/mine.c" "${@:3}" >"$dir/out" 2>&1 && echo "accepts it" && return 1
     grep -q "$1" "$dir/out" || { cat "$dir/out" && return 1; }
 }
+
+float='volatile float x = 2; int main(void) { x = x * x; return 0; }'
+recursive='volatile int n = 9; int f(int a); int f(int a) { return a > 0 ? f(a - 1) * a + n : 1; } int main(void) { return f(n); }'
 
 a_program_of_ones_own() {
     printf '#include "port.h"\nint main(void) { port_log("here\\n"); return 0; }\n' >"$dir/mine.c"
@@ -280,11 +283,17 @@ check "the_stack_is_what_the_deepest_path_takes" stack_grows_with_the_program
 check "a_stack_without_a_call_graph_fails" no_call_graph
 check "a_board_with_more_RAM_than_its_chip_fails" more_than_the_chip_has
 check "code_and_variables_may_grow" code_may_grow
-check "floating_point_is_refused" refuses 'floating point, heap' 'volatile float x = 2; int main(void) { x = x * x; return 0; }'
+check "floating_point_is_refused" refuses 'floating point, heap' "$float"
 check "a_heap_is_refused" refuses 'floating point, heap' '#include <stdlib.h>
 void *_sbrk(int n); void *_sbrk(int n) { (void)n; return 0; }
 int main(void) { return malloc(8) != 0; }'
-check "recursion_is_refused" refuses 'recursion' 'volatile int n = 9; int f(int a); int f(int a) { return a > 0 ? f(a - 1) * a + n : 1; } int main(void) { return f(n); }'
+check "recursion_is_refused" refuses 'recursion' "$recursive"
+if command -v riscv64-unknown-elf-gcc >/dev/null; then
+    check "floating_point_is_refused_on_RISC-V" refuses 'floating point, heap' "$float" BOARD=pico2-display ISA=riscv
+    check "recursion_is_refused_on_RISC-V" refuses 'recursion' "$recursive" BOARD=pico2-display ISA=riscv
+else
+    skip "refusals_on_RISC-V" "no riscv64-unknown-elf-gcc: apt-get install gcc-riscv64-unknown-elf"
+fi
 check "a_program_of_ones_own_becomes_an_image" a_program_of_ones_own
 check "the_template_of_a_port_becomes_an_image" template_links
 check "a_board_that_is_not_there_is_one_clear_line" no_such_board

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A binary scene in the flash of an emulated RP2040 (CHIP=rp2350 SCENE_BOARD=pico2-display: an RP2350): the image draws the
-# simulator's frames of it, says what is wrong with a damaged one, and shows its own demos then, at whatever moment the writing
-# was interrupted (long_firmware_scene.sh: 100).
+# A binary scene in the flash of an emulated RP2350 (CHIP=rp2040: an RP2040): the image draws the simulator's frames of it, says
+# what is wrong with a damaged one, and shows its own demos then, at whatever moment the writing was interrupted
+# (long_firmware_scene.sh: 100 moments, both chips).
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -9,7 +9,8 @@ cd "$(dirname "$0")/../.." || exit 1
 unset MAKEFLAGS
 B=${B:-build}
 MOMENTS=${MOMENTS:-2}
-board=${SCENE_BOARD:-pico-display}
+export CHIP=${CHIP:-rp2350}
+[ "$CHIP" = rp2040 ] && board=pico-display || board=pico2-display
 offset=$((0x80000))
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
 host-sim/emulate/emulate_rp2.sh --install 2>/dev/null || { echo "no rp2040js: needs node, npm and its registry" && exit 77; }

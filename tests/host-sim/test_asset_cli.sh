@@ -12,7 +12,7 @@ scene=tests/host-sim/asset/scene.gltf
 moving=tests/host-sim/asset/moving.gltf
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
-make -s -j2 B="$B" "$asset" "$B/pinhole-sim" "$B/pinhole-depth" || exit 1
+make -s -j2 B="$B" "$asset" "$B"/pinhole-{sim,depth,emulate} || exit 1
 
 include="-Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards -I$B/boards_all -Ihost-sim/common -Ihost-sim/picture -Ihost-sim/asset -Ihost-sim/model -Ihost-sim/sim -Ihost-sim/controllers"
 strict='-std=c11 -Wall -Wextra -Wshadow -Wconversion -Wundef -Wcast-qual -Wpedantic -Werror'
