@@ -9,6 +9,8 @@
  * - triangles: a torus of X triangles that covers the same pixels
  * - fragments: X pixels in full-screen quads, each in front of the last
  * - visible, hidden: X full-screen quads in bands of 16 lines, each in front of the last or behind it
+ * - draws, materials, keyed: X small quads that are drawn one by one, with one material, with as many, or with a keyed
+ *   texture, in bands of 16 lines
  * - band: the torus of 4096 triangles in bands of X lines
  * - pixels: the same torus in pictures of 128x64 .. 320x480 = X pixels
  */
@@ -43,9 +45,27 @@ struct picture {
     uint16_t width, height, band_height;
 };
 
-/* One frame of mesh at `place`. What is left out is left out of the count, too: then the result says so. */
-static void measure(const char *kind, uint32_t x, const struct picture *picture, const struct ph_mesh *mesh,
-                    const struct ph_xform *place)
+/* What a frame shows: a mesh at so many places, with a material of its own at each, or
+ * (NULL) with that of the mesh. */
+struct drawing {
+    struct ph_mesh mesh;
+    const struct ph_xform *places;
+    const struct ph_material *materials;
+    uint32_t count;
+};
+
+static void list_frame(struct ph_renderer *r, const struct ph_projection *projection, const struct drawing *drawing)
+{
+    struct ph_mesh mesh = drawing->mesh;
+    ph_frame_begin(r, &ph_xform_identity, projection, &sun, 0);
+    for (uint32_t i = 0; i < drawing->count; i++) {
+        mesh.materials = drawing->materials != NULL ? &drawing->materials[i] : mesh.materials;
+        ph_draw_mesh(r, &mesh, &drawing->places[i]);
+    }
+}
+
+/* One frame. What is left out is left out of the count, too: then the result says so. */
+static void measure_drawing(const char *kind, uint32_t x, const struct picture *picture, const struct drawing *drawing)
 {
     const struct ph_config config = {.width = picture->width,
                                      .height = picture->height,
@@ -68,8 +88,7 @@ static void measure(const char *kind, uint32_t x, const struct picture *picture,
     }
     const char *what[3] = {kind, "fixed16", "frame"};
     machine_start();
-    ph_frame_begin(&r, &ph_xform_identity, &projection, &sun, 0);
-    ph_draw_mesh(&r, mesh, place);
+    list_frame(&r, &projection, drawing);
     const uint32_t bands = ph_frame_bands(&r);
     for (uint32_t band = 0; band < bands; band++) {
         ph_draw_band(&r, band, pixels);
@@ -79,11 +98,17 @@ static void measure(const char *kind, uint32_t x, const struct picture *picture,
         machine_print("growth: the scene does not fit\n");
     }
     what[2] = "bins"; /* once more, for its share alone */
-    ph_frame_begin(&r, &ph_xform_identity, &projection, &sun, 0);
-    ph_draw_mesh(&r, mesh, place);
+    list_frame(&r, &projection, drawing);
     machine_start();
     ph_frame_bands(&r);
     machine_stop(what, x);
+}
+
+static void measure(const char *kind, uint32_t x, const struct picture *picture, const struct ph_mesh *mesh,
+                    const struct ph_xform *place)
+{
+    const struct drawing drawing = {*mesh, place, NULL, 1};
+    measure_drawing(kind, x, picture, &drawing);
 }
 
 static const uint16_t band_heights[] = {5, 10, 15, 30, 60, 120, 240};
@@ -163,6 +188,47 @@ static void quads(const struct ph_material *material)
     measure_quads("hidden", &bands, material, false);
 }
 
+#define DRAWS_LAST 1024
+
+/* Quads of some 6 px in 32 columns. */
+static void draws(const struct ph_material *one)
+{
+    static const struct fx_vec3 corners[4] = {{-6000, -6000, 0}, {6000, -6000, 0}, {6000, 6000, 0}, {-6000, 6000, 0}};
+    static const uint16_t faces[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const struct ph_part part = {.count = 2};
+    static const fx_t uvs[4][2] = {{0, 0}, {FX_ONE, 0}, {FX_ONE, FX_ONE}, {0, FX_ONE}};
+    static const uint16_t texels[8 * 8] = {[9] = 0xf81f, [10] = 0xf81f, [17] = 0xf81f, [18] = 0xf81f};
+    static const struct ph_texture texture = {.texels = texels, .log2_width = 3, .log2_height = 3};
+    static const struct ph_blend key = {.kind = PH_BLEND_KEY, .draw = &ph_blending, .key = 0xf81f};
+    static const struct ph_material keyed = {.shading = PH_SHADE_TEXTURE, .texture = &texture, .blend = &key};
+    static struct ph_xform places[DRAWS_LAST];
+    static struct ph_material materials[DRAWS_LAST];
+    const struct picture bands = {320, 240, 16};
+    const struct ph_mesh quad = {.positions = corners,
+                                 .uvs = uvs,
+                                 .vertex_count = 4,
+                                 .triangles = faces,
+                                 .triangle_count = 2,
+                                 .parts = &part,
+                                 .part_count = 1};
+    struct drawing all[3] = {{quad, places, NULL, 0}, {quad, places, materials, 0}, {quad, places, NULL, 0}};
+    static const char *const kinds[3] = {"draws", "materials", "keyed"};
+    all[0].mesh.materials = all[1].mesh.materials = one;
+    all[2].mesh.materials = &keyed;
+    for (uint32_t i = 0; i < DRAWS_LAST; i++) {
+        places[i] = ph_xform_identity;
+        places[i].t = (struct fx_vec3){(fx_t)(i % 32 * 20000) - 310000, (fx_t)(i / 32 * 14000) - 220000, FX_INT(-8)};
+        materials[i] = *one;
+        materials[i].colour = (uint16_t)i;
+    }
+    for (unsigned k = 0; k < 3; k++) {
+        for (uint32_t count = 64; count <= DRAWS_LAST; count *= 2) {
+            all[k].count = count;
+            measure_drawing(kinds[k], count, &bands, &all[k]);
+        }
+    }
+}
+
 int main(void)
 {
     static const char *const loop[3] = {"known-loop", "-", "-"};
@@ -176,5 +242,6 @@ int main(void)
     const struct ph_material plain = {.shading = PH_SHADE_UNLIT, .colour = 0x1234};
     tori(&lit);
     quads(&plain);
+    draws(&plain);
     return 0;
 }

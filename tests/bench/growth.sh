@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # Usage: tests/bench/growth.sh [CORE]        make bench calls it; m3 by default
-# How the cost of a frame grows with triangles, fragments, depth complexity, bands and pixels: $B/bench-growth.csv (kind,x,instructions),
-# and $B/bench-growth.png where gnuplot is. Exits 1 when a term grows faster than linearly (a further triangle or
+# How the cost of a frame grows with triangles, fragments, depth complexity, draws, materials, keyed draws, bands and pixels:
+# $B/bench-growth.csv (kind,x,instructions),
+# and $B/bench-growth.png where gnuplot is. Exits 1 when a term grows faster than linearly (a further triangle, draw or
 # fragment costs over 10 % more than those before it; a pixel of a larger picture more than one of a smaller), when 16 bands cost 5 % of a frame,
 # or when a hidden layer costs over 5 % of a visible one. Environment: B.
 set -eu
 cd "$(dirname "$0")/../.."
 B=${B:-build} core=${1:-m3}
+mkdir -p "$B/bench-$core"
 PROGRAM=growth tests/bench/run.sh "$core" >"$B/bench-$core/growth"
 ! grep '^growth:' "$B/bench-$core/growth" >&2 || exit 1
 { echo kind,x,instructions && awk '$3 == "frame" { print $1 "," $4 "," $5 }' "$B/bench-$core/growth"; } >"$B/bench-growth.csv"
@@ -69,4 +71,10 @@ set xlabel "full-screen layers"
 set style line 2 lc rgb "#d55e00" lw 2 pt 5
 plot points("visible") using 2:(\$3/1e6) ls 1 title "back to front: all visible", \
      points("hidden") using 2:(\$3/1e6) ls 2 title "front to back: all hidden but one"
+set title "quads drawn one by one (320x240, bands of 16 lines)"
+set xlabel "draws"
+set style line 3 lc rgb "#009e73" lw 2 pt 9
+plot points("keyed") using 2:(\$3/1e6) ls 3 title "keyed texture", \
+     points("materials") using 2:(\$3/1e6) ls 2 title "flat, a material each", \
+     points("draws") using 2:(\$3/1e6) ls 1 title "flat, one material"
 END

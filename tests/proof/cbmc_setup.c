@@ -76,7 +76,7 @@ void proof_small_depths(void)
     r.lens = any_lens();
     in_view(&r.lens, &t);
     const struct ph_setting s = {
-        .r = &r, .draw.material = &material, .fast.bias = nondet_u32(), .floats = nondet_i32() > 0};
+        .r = &r, .fast.material = &material, .fast.bias = nondet_u32(), .floats = nondet_i32() > 0};
     small_depths(&s, t.v, d, &block);
 }
 

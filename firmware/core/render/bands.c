@@ -51,7 +51,7 @@ static inline uint32_t draw_beyond(struct ph_triangle ***carry, struct ph_triang
 /* Whether the other core is idle, and there is a row for each. */
 static inline bool is_helped(const struct ph_renderer *r, const struct ph_band *rows)
 {
-    return rows->y1 - rows->y0 >= 2 && ph_other_core_is_idle(r);
+    return r->config.other_core != NULL && rows->y1 - rows->y0 >= 2 && ph_other_core_is_idle(r);
 }
 
 /* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference
@@ -115,7 +115,7 @@ PH_TIER(mesh) static FX_APART void draw_rest(struct ph_feed *f, struct ph_rest *
             fragments += ph_draw_fresh(t, rows);
         } else if (t != &scratch) {
             fragments += draw_beyond(&rest->carry, t, rows);
-            t = take_slot_or(r, &scratch);
+            t = take_slot_or(f->r, &scratch);
         } else {
             fragments += ph_draw_triangle(t, rows);
             ph_feed_put_below(f, t->order, &rest->put);
@@ -155,7 +155,7 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
-    const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
+    const bool depth24 = r->depth.bits > 16;
     if (band != r->list.band || band >= r->band_count || (uintptr_t)pixels % sizeof(uint16_t) != 0 || pixels == NULL) {
         return 0;
     }

@@ -19,8 +19,19 @@ static inline uint32_t ph_next_ref(const struct ph_feed *f, const struct ph_ref 
     return at->link - 1u < PH_LINK_FAR - 1u ? ref + at->link : ph_feed_next(f, ref);
 }
 
-/* slots.c: takes an unused slot. NULL: there is none. */
-struct ph_triangle *ph_take_slot(struct ph_renderer *r);
+/* slots.c: takes a slot that was never used. NULL: there is none. */
+struct ph_triangle *ph_take_fresh_slot(struct ph_renderer *r);
+
+/* Takes an unused slot. NULL: there is none. */
+static inline struct ph_triangle *ph_take_slot(struct ph_renderer *r)
+{
+    struct ph_triangle *const t = r->slots;
+    if (t == NULL) {
+        return ph_take_fresh_slot(r);
+    }
+    r->slots = t->next;
+    return t;
+}
 
 /* Gives a slot back. */
 static inline void ph_free_slot(struct ph_renderer *r, struct ph_triangle *t)

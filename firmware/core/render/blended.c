@@ -27,6 +27,7 @@ struct blend_pass {
     uint32_t alpha;      /* of the whole draw, 0 .. 32 */
     uint16_t mask, hole; /* cut-out: no pixel is where the bits of the mask are these in a texel that decides */
     struct ph_setting setting, keys; /* of the colours; of the texels that decide */
+    struct ph_draw key_draw;         /* that of `keys` */
     struct ph_material key_material;
     struct ph_texture key_texture; /* the material's, without a filter */
     bool has_keys, same_keys;      /* the colours are the texels that decide */
@@ -36,7 +37,7 @@ struct blend_pass {
 /* Finds the part of the band that a reference may cover. False if there is none. */
 static bool box_of(const struct blend_pass *o, const struct ph_ref *ref, struct ph_box *box)
 {
-    *box = ph_box_of(o->r, &o->setting.draw, ref);
+    *box = ph_box_of(o->r, o->setting.draw, ref);
     box->y0 = ph_max(box->y0, o->band->y0);
     box->y1 = ph_min(box->y1, o->band->y1);
     box->x0 = ph_max(box->x0 - 1, 0); /* one more on each side, because edges are rounded */
@@ -221,7 +222,6 @@ static void draw_one(struct blend_pass *o, const struct ph_ref *ref)
 static void begin(struct blend_pass *o, const struct ph_draw *draw)
 {
     const struct ph_material *const material = draw->material;
-    struct ph_draw keys = *draw;
     o->blend = material->blend;
     o->alpha = o->blend->alpha < 32 ? o->blend->alpha : 32;
     ph_take_lens(o->r, draw);
@@ -236,8 +236,9 @@ static void begin(struct blend_pass *o, const struct ph_draw *draw)
         o->key_texture = by_colour ? *material->texture : *o->blend->alphas;
         o->key_texture.filter = by_colour ? PH_FILTER_NEAREST : o->key_texture.filter;
         o->key_material.texture = &o->key_texture;
-        keys.material = &o->key_material;
-        ph_setting_of(&o->keys, o->r, &keys);
+        o->key_draw = *draw;
+        o->key_draw.material = &o->key_material;
+        ph_setting_of(&o->keys, o->r, &o->key_draw);
     }
     const bool by_mask = o->blend->kind == PH_BLEND_MASK;
     o->mask = !o->has_keys ? 0 : by_mask ? ph_wire16(1 << 10) : UINT16_MAX;
@@ -265,9 +266,13 @@ static void draw_kind(struct blend_pass *o, bool blends)
             continue;
         }
         const struct ph_ref *ref = ph_ref_at(r, draw->first);
-        begin(o, draw);
+        bool begun = false; /* most draws have nothing in a band */
         for (uint32_t n = ph_end_of_draw(r, draw) - draw->first; n > 0; n--, ref--) {
             if (ph_ref_may_reach(ref, first, last)) {
+                if (!begun) {
+                    begin(o, draw);
+                    begun = true;
+                }
                 draw_one(o, ref);
             }
         }

@@ -71,7 +71,7 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
     }
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
     const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
-    const uint32_t before = ph_ref_count(r);
+    const uint32_t since = r->list.last, before = ph_ref_count(r);
     r->lines = &ph_lines;
     if (material->blend != NULL && !ph_list_blend(r, material->blend)) {
         r->stats.triangles_dropped++;
@@ -79,7 +79,7 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
     }
     ph_draw_clipped_line(r, material, ends);
     if (material->blend != NULL) {
-        material->blend->draw->put_after(r, before);
+        material->blend->draw->put_after(r, since, before);
     }
     r->stats.triangles_drawn = ph_ref_count(r);
 }

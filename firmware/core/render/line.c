@@ -227,7 +227,7 @@ static PH_NOINLINE void any_depth(const struct ph_setting *s, const struct ph_ve
 static inline bool end_codes(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                              uint32_t d[3])
 {
-    if (!s->r->depth.is_small || s->draw.material->depth_bias_slope != 0) {
+    if (!s->r->depth.is_small || s->fast.material->depth_bias_slope != 0) {
         return false;
     }
     const struct ph_vertex *const v[3] = {a, b, b};
@@ -250,7 +250,7 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
     uint32_t d[3];
     t->kind = PH_KIND_LINE;
     t->block = PH_BLOCK_NONE;
-    t->material = s->draw.material;
+    t->material = s->fast.material;
     t->as.line.colour = t->material->colour;
     t->as.line.lines = &ph_lines;
     walk_of(s->r, from, to, t, &part);

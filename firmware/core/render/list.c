@@ -192,10 +192,10 @@ struct ph_box ph_box_of(const struct ph_renderer *r, const struct ph_draw *draw,
                            ph_first_row(box.y0 - half_width), ph_first_row(box.y1 + half_width)};
 }
 
-PH_TIER(seldom) void ph_put_after(struct ph_renderer *r, uint32_t first)
+PH_TIER(seldom) void ph_put_after(struct ph_renderer *r, uint32_t since, uint32_t first)
 {
     uint16_t *const work = ph_list_work(r);
-    for (uint32_t place = r->list.first; place != PH_NONE;) {
+    for (uint32_t place = since != PH_NONE ? since : r->list.first; place != PH_NONE;) {
         const struct ph_draw *const draw = ph_at(r, place);
         const uint32_t end = ph_end_of_draw(r, draw);
         for (uint32_t i = draw->first > first ? draw->first : first; i < end; i++) {

@@ -116,8 +116,9 @@ struct ph_part_context;
 struct ph_blending {
     /* Prepares for something with a blend. False: there is no room for the rows that it is drawn into. */
     bool (*begin_blend)(struct ph_renderer *r, const struct ph_blend *blend);
-    /* Marks the references from number `first` on as cut out or blended: they are drawn after all others. */
-    void (*put_after)(struct ph_renderer *r, uint32_t first);
+    /* Marks the references from number `first` on as cut out or blended: they are drawn after all others. since: the
+     * place of the last draw when the first of them was listed; PH_NONE if there was none. */
+    void (*put_after)(struct ph_renderer *r, uint32_t since, uint32_t first);
     /* mesh_sides.c: draws the triangles of a part that shows both of its sides one behind the other. Returns how many
      * can be seen. */
     uint32_t (*draw_sides)(struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
@@ -136,7 +137,7 @@ static inline bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *b
 
 /* blended.c and feed.c: see struct ph_blending. */
 bool ph_begin_blend(struct ph_renderer *r, const struct ph_blend *blend);
-void ph_put_after(struct ph_renderer *r, uint32_t first);
+void ph_put_after(struct ph_renderer *r, uint32_t since, uint32_t first);
 uint32_t ph_draw_sides(struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
 void ph_sort_opaque(uint32_t *bins, struct ph_ref *ref, uint32_t n);
 
@@ -165,8 +166,16 @@ static inline uint32_t ph_end_of_draw(const struct ph_renderer *r, const struct 
     return draw->next == PH_NONE ? ph_ref_count(r) : ((const struct ph_draw *)ph_at(r, draw->next))->first;
 }
 
+/* Makes the lens at a place that of the renderer. */
+void ph_change_lens(struct ph_renderer *r, uint32_t place);
+
 /* Makes the lens of a draw that of the renderer, for the triangles that are set up next. */
-void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw);
+static inline void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw)
+{
+    if (draw->lens != r->list.lens) {
+        ph_change_lens(r, draw->lens);
+    }
+}
 
 /* Place of corner 0 of the current draw. */
 uint32_t ph_list_base(const struct ph_renderer *r);

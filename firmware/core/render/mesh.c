@@ -215,7 +215,7 @@ static void draw_part(struct ph_part_context *c, const struct ph_part *part, con
         return;
     }
     c->material = c->draw.material = ph_list_material(r);
-    const uint32_t before = ph_ref_count(r);
+    const uint32_t since = r->list.last, before = ph_ref_count(r);
     c->curved = r->lens.kind == PH_FISHEYE ? r->projection.curved : NULL;
     if (wire) {
         c->material->shading->draw_edges(c);
@@ -223,7 +223,7 @@ static void draw_part(struct ph_part_context *c, const struct ph_part *part, con
         draw_triangles(c, part);
     }
     if (blend != NULL) {
-        blend->draw->put_after(r, before);
+        blend->draw->put_after(r, since, before);
     }
 }
 

@@ -25,7 +25,7 @@ struct ph_setting {
                        const fx_t *const uv[3]); /* of the shading, see shading.h; PH_FROM_TEXELS only */
     const struct ph_antialiasing *antialiasing;  /* pixels are samples; else NULL */
     const struct ph_renderer *r;
-    struct ph_draw draw;
+    const struct ph_draw *draw;
 };
 
 #endif

@@ -76,7 +76,7 @@ static inline bool small_depths(const struct ph_setting *s, const struct ph_vert
     *block = PH_BLOCK_NONE;
     if (s->floats) {
         if (!ph_float_depths(&r->lens, v, s->fast.bias, d)) {
-            *block = ph_block_depths(r, v, ph_depth_bias(s->draw.material), d);
+            *block = ph_block_depths(r, v, ph_depth_bias(s->fast.material), d);
         }
         return true;
     }
@@ -214,12 +214,12 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
                                     struct ph_triangle *t)
 {
     const struct ph_renderer *r = s->r;
-    const bool colours = (s->draw.kind & PH_DRAW_COLOURS) != 0;
-    bool fits = setup_any(r, s->draw.material, v, uv, sides, t);
+    const bool colours = (s->draw->kind & PH_DRAW_COLOURS) != 0;
+    bool fits = setup_any(r, s->fast.material, v, uv, sides, t);
     if (colours) {
-        ph_set_colours(t, v, sides, ph_lit_corners_of(s->draw.material) == PH_FIRST_CORNER);
+        ph_set_colours(t, v, sides, ph_lit_corners_of(s->fast.material) == PH_FIRST_CORNER);
     }
-    if (s->draw.material->depth_bias_slope != 0) {
+    if (s->fast.material->depth_bias_slope != 0) {
         fits = false;
     } else if (small && (colours || t->kind == PH_KIND_TEXTURE) && r->depth.is_small) {
         fits = take_small_depth(t, s, v, sides, fits);
@@ -240,7 +240,7 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     const bool lit = corners != PH_NO_CORNER && !ph_takes_texture(material) && material->ramp != NULL;
     const bool textured = ph_is_textured(material);
     s->r = r;
-    s->draw = *draw;
+    s->draw = draw;
     s->fast.base = ph_at(r, draw->base);
     s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL &&
                   material->depth_bias_slope == 0 && r->depth.is_small &&
@@ -318,7 +318,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         return;
     }
     t->kind = PH_KIND_SMALL;
-    t->material = s->draw.material;
+    t->material = s->fast.material;
     t->as.small.rows.ramp = s->fast.ramp;
     if (!small_depths(s, v, d, &t->block)) {
         setup_other(s, v, uv, sides, false, t);
@@ -371,15 +371,15 @@ static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct 
                                        struct ph_triangle *t)
 {
     const struct ph_vertex *const base = s->fast.base;
-    if ((s->draw.kind & PH_DRAW_UVS) != 0) {
+    if ((s->draw->kind & PH_DRAW_UVS) != 0) {
         setup_corners(s, ref, t);
         return;
     }
     const struct ph_vertex *const v[3] = {&base[ref->corner[0]], &base[ref->corner[1]], &base[ref->corner[2]]};
     const fx_t *of_corners[3], *const *uv = NULL;
-    if (s->draw.uvs != NULL) {
+    if (s->draw->uvs != NULL) {
         for (int i = 0; i < 3; i++) {
-            of_corners[i] = s->draw.uvs[ref->corner[i]];
+            of_corners[i] = s->draw->uvs[ref->corner[i]];
         }
         uv = of_corners;
     }
@@ -401,7 +401,7 @@ void ph_setup_general(const struct ph_setting *s, const struct ph_ref *ref, enum
                       struct ph_triangle *t)
 {
     const struct ph_vertex *const base = s->fast.base;
-    if ((s->draw.kind & PH_DRAW_LINES) == 0) {
+    if ((s->draw->kind & PH_DRAW_LINES) == 0) {
         setup_triangle(s, ref, done, t);
     } else if (s->antialiasing != NULL) {
         s->antialiasing->setup_sample_line(s, ref, t);

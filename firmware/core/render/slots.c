@@ -16,15 +16,11 @@ static inline struct ph_triangle *slot_behind(void *base, uint32_t *used, size_t
     return (struct ph_triangle *)(void *)((uint8_t *)base + at);
 }
 
-PH_TIER(mesh) struct ph_triangle *ph_take_slot(struct ph_renderer *r)
+PH_TIER(mesh) struct ph_triangle *ph_take_fresh_slot(struct ph_renderer *r)
 {
-    const struct ph_config *c = &r->config;
-    struct ph_triangle *t = r->slots;
-    if (t != NULL) {
-        r->slots = t->next;
-        return t;
-    }
-    t = slot_behind(c->triangles, &r->slots_used[1], (size_t)((uint8_t *)r->list.to - (uint8_t *)c->triangles));
+    const struct ph_config *const c = &r->config;
+    struct ph_triangle *const t =
+        slot_behind(c->triangles, &r->slots_used[1], (size_t)((uint8_t *)r->list.to - (uint8_t *)c->triangles));
     return t == NULL && c->vertices != c->triangles
                ? slot_behind(c->vertices, &r->slots_used[0], c->vertex_max * ph_vertex_bytes)
                : t;
@@ -44,10 +40,8 @@ PH_TIER(mesh) void ph_clear_rows(const struct ph_renderer *r, const struct ph_ba
     ph_clear_depth(rows);
 }
 
-PH_TIER(mesh) void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw)
+PH_TIER(mesh) void ph_change_lens(struct ph_renderer *r, uint32_t place)
 {
-    if (draw->lens != r->list.lens) {
-        r->lens = *(const struct ph_lens *)ph_at(r, draw->lens);
-        r->list.lens = draw->lens;
-    }
+    r->lens = *(const struct ph_lens *)ph_at(r, place);
+    r->list.lens = place;
 }
