@@ -72,7 +72,6 @@ static struct view usual(void)
                                         .far_z = FX_INT(100)},
                          .light = &sun,
                          .depth_format = PH_DEPTH_AUTO,
-                         .occlusion = PH_COARSE_DEPTH,
                          .lines = 16};
 }
 
@@ -82,6 +81,7 @@ static struct ph_renderer renderer_of(const struct view *view)
                                      .height = HEIGHT,
                                      .band_height = view->lines,
                                      .depth_format = view->depth_format,
+                                     .occlusion = PH_COARSE_DEPTH,
                                      .vertices = vertices,
                                      .vertex_max = (uint32_t)(sizeof vertices / ph_vertex_bytes),
                                      .triangles = triangles,
@@ -90,7 +90,7 @@ static struct ph_renderer renderer_of(const struct view *view)
                                      .bin_max = HEIGHT,
                                      .depth = (void *)depth,
                                      .samples = view->antialias ? samples : NULL,
-                                     .antialiasing = PH_ANTIALIAS_2X2};
+                                     .antialiasing = view->antialias ? PH_ANTIALIAS_2X2 : NULL};
     struct ph_renderer r;
     if (ph_renderer_init(&r, &config) != PH_OK) {
         machine_print("cliffs: the renderer refuses a picture\n");

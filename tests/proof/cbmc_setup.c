@@ -59,7 +59,7 @@ void proof_sides(void)
     struct ph_renderer r;
     r.config.width = (uint16_t)u32_between(1, 1024);
     r.config.height = (uint16_t)u32_between(1, 1024);
-    const struct ph_setting setting = {.r = &r, .takes_narrow = true};
+    const struct ph_setting setting = {.r = &r, .source = PH_FROM_TEXELS};
     is_inside(&r, v);
     CLAIM(!ph_sides_are_small(&s) || s.is_short);
     CLAIM(excess_of(&setting, &s, v) == LARGE || s.is_short);

@@ -227,7 +227,7 @@ static PH_NOINLINE void any_depth(const struct ph_setting *s, const struct ph_ve
 static inline bool end_codes(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                              uint32_t d[3])
 {
-    if (!s->r->depth.is_small || s->fast.material->depth_bias_slope != 0) {
+    if (!s->has_codes) {
         return false;
     }
     const struct ph_vertex *const v[3] = {a, b, b};

@@ -14,8 +14,7 @@ struct ph_setting {
     bool is_small;        /* small triangles are drawn as such */
     bool is_fast;         /* ph_setup_fast knows such triangles */
     bool has_fast_texels; /* ... and all but u and v of such triangles, which are textured */
-    bool takes_narrow;    /* triangles may be drawn as small ones that are only as narrow: with a texture, and those
-                             of samples, of which twice as many are not small */
+    bool has_codes;       /* depth of small triangles and lines is stepped in codes */
     bool floats;          /* float16, else fixed16 */
     bool keeps_light;     /* a small triangle keeps the light that ph_setup_small has set: else see ph_set_fast_light */
     uint8_t source;       /* enum ph_source */

@@ -58,7 +58,8 @@ static PH_NOINLINE enum excess excess_of(const struct ph_setting *s, const struc
                                          const struct ph_vertex *const v[3])
 {
     const uint32_t dx1 = (uint32_t)sides->dx1, dx2 = (uint32_t)sides->dx2, dy = (uint32_t)(sides->dy2 - sides->dy1);
-    if (!s->takes_narrow || !sides->is_short ||
+    const bool takes_narrow = s->source == PH_FROM_TEXELS || s->antialiasing != NULL;
+    if (!takes_narrow || !sides->is_short ||
         ((dy + PH_SIDE_SHORT) | (dx2 - dx1 + PH_SIDE_SHORT)) >= 2 * PH_SIDE_SHORT ||
         !ph_is_between(v[0]->x, v[1]->x, v[2]->x, s->r->config.width) ||
         !ph_is_between(v[0]->y, v[1]->y, v[2]->y, s->r->config.height)) {
@@ -242,8 +243,8 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->r = r;
     s->draw = draw;
     s->fast.base = ph_at(r, draw->base);
-    s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL &&
-                  material->depth_bias_slope == 0 && r->depth.is_small &&
+    s->has_codes = r->depth.is_small && material->depth_bias_slope == 0;
+    s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL && s->has_codes &&
                   (!textured || ph_texels_fit(material->texture));
     s->fast.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
     s->source = textured                     ? PH_FROM_TEXELS
@@ -252,7 +253,6 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
                                              : PH_FROM_LIGHT;
     s->set_texels = textured ? material->shading->texturing.set_texels : NULL;
     s->antialiasing = r->config.antialiasing;
-    s->takes_narrow = s->source == PH_FROM_TEXELS || s->antialiasing != NULL;
     s->keeps_light = s->source == PH_FROM_LIGHT && s->antialiasing == NULL;
     s->floats = r->depth.coding == PH_DEPTH_IS_FLOAT;
     s->fast.lens = s->floats ? &r->lens : NULL;

@@ -220,7 +220,7 @@ PH_TIER(scenery) static void measure_strip(const struct ph_triangle *t, int32_t 
         if (!ph_rows_of_half(t, &rows, half, &in)) {
             continue;
         }
-        for (int end = 0; end < 2; end++) {
+        for (;;) { /* the first row, and the last */
             const int32_t from = (int32_t)ph_from_column((uint32_t)in.left.x);
             const int32_t to = (int32_t)ph_to_column((uint32_t)in.right.x, (uint32_t)width);
             strip->x = from < strip->x ? from : strip->x;
@@ -232,6 +232,9 @@ PH_TIER(scenery) static void measure_strip(const struct ph_triangle *t, int32_t 
                 strip->least_w = w1 < strip->least_w ? w1 : strip->least_w;
             }
             const int32_t more = in.y_end - 1 - in.y;
+            if (more == 0) {
+                break;
+            }
             ph_edge_step(&in.left, more);
             ph_edge_step(&in.right, more);
             in.y = in.y_end - 1;
