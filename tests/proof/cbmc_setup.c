@@ -86,6 +86,11 @@ static bool set_no_texels(struct ph_triangle *t, const struct ph_renderer *r, co
     return t != NULL && r != NULL && v != NULL && uv != NULL;
 }
 
+static void widen_nothing(struct ph_fast *fast)
+{
+    (void)fast;
+}
+
 void proof_setting(void)
 {
     struct ph_renderer r;
@@ -100,5 +105,7 @@ void proof_setting(void)
     material.shading = nondet_u32() != 0 ? &shading : NULL;
     r.depth = ph_depth_traits[u32_between(0, PH_DEPTH_FORMATS - 1)];
     r.lens = any_lens();
+    const struct ph_antialiasing antialiasing = {.widen = widen_nothing};
+    r.config.antialiasing = nondet_u32() != 0 ? &antialiasing : NULL;
     ph_setting_of(&s, &r, &draw);
 }
