@@ -213,7 +213,7 @@ static void draws(const struct ph_material *one)
                                  .part_count = 1};
     struct drawing all[3] = {{quad, places, NULL, 0}, {quad, places, materials, 0}, {quad, places, NULL, 0}};
     static const char *const kinds[3] = {"draws", "materials", "keyed"};
-    all[0].mesh.materials = all[1].mesh.materials = one;
+    all[0].mesh.materials = one;
     all[2].mesh.materials = &keyed;
     for (uint32_t i = 0; i < DRAWS_LAST; i++) {
         places[i] = ph_xform_identity;

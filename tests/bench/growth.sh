@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Usage: tests/bench/growth.sh [CORE]        make bench calls it; m3 by default
 # How the cost of a frame grows with triangles, fragments, depth complexity, draws, materials, keyed draws, bands and pixels:
-# $B/bench-growth.csv (kind,x,instructions),
-# and $B/bench-growth.png where gnuplot is. Exits 1 when a term grows faster than linearly (a further triangle, draw or
+# $B/bench-growth.csv (kind,x,instructions), and $B/bench-growth.png where gnuplot is. Exits 1 when a term grows faster than linearly (a further triangle, draw or
 # fragment costs over 10 % more than those before it; a pixel of a larger picture more than one of a smaller), when 16 bands cost 5 % of a frame,
 # or when a hidden layer costs over 5 % of a visible one. Environment: B.
 set -eu

@@ -263,7 +263,6 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     c.matrix = ph_clip_matrix(&r->lens, &r->view);
     move_nearer(&c.matrix, &r->lens);
     c.vertices = ph_at(r, c.draw.base);
-    const uint32_t since = r->list.last, before = ph_ref_count(r);
     transform_vertices(&c);
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const struct ph_part *part = &mesh->parts[i];
@@ -274,7 +273,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
         draw_triangles(&c, mesh->triangles + part->first, mesh->triangles + part->first + part->count);
     }
     if (material->blend != NULL) {
-        material->blend->draw->put_after(r, since, before);
+        material->blend->draw->put_after(r, mark.last, mark.count);
     }
     ph_list_rewind(r, &mark);
     r->stats.triangles_drawn = ph_ref_count(r);

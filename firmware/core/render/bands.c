@@ -48,7 +48,7 @@ static inline uint32_t draw_beyond(struct ph_triangle ***carry, struct ph_triang
     return ph_draw_above(t, rows);
 }
 
-/* Whether the other core is idle, and there is a row for each. */
+/* Whether the other core is idle, and there is a row for each. Without another core this saves the call. */
 static inline bool is_helped(const struct ph_renderer *r, const struct ph_band *rows)
 {
     return r->config.other_core != NULL && rows->y1 - rows->y0 >= 2 && ph_other_core_is_idle(r);
@@ -115,7 +115,7 @@ PH_TIER(mesh) static FX_APART void draw_rest(struct ph_feed *f, struct ph_rest *
             fragments += ph_draw_fresh(t, rows);
         } else if (t != &scratch) {
             fragments += draw_beyond(&rest->carry, t, rows);
-            t = take_slot_or(f->r, &scratch);
+            t = take_slot_or(f->r, &scratch); /* not r: no register is left for it in this loop */
         } else {
             fragments += ph_draw_triangle(t, rows);
             ph_feed_put_below(f, t->order, &rest->put);

@@ -192,13 +192,16 @@ PH_TIER(scenery) static int tile_width(const struct ph_triangle *t, const struct
 {
     const struct ph_plane *const w = ph_over_w(t);
     const struct ph_map *const map = &t->as.large.of.map;
+    int log2 = WIDTH_LOG2;
+    while (log2 > 0 && (columns - 1) >> (log2 - 1) == 0) {
+        log2--;
+    }
+    if (log2 == 0) {
+        return 0;
+    }
     uint32_t least = ph_plane_at(w, tile->x, tile->y);
     const uint32_t below = w->gy << tile->height_log2;
     least += (int32_t)below < 0 ? below : 0;
-    int log2 = WIDTH_LOG2;
-    while (log2 > 0 && 1u << (log2 - 1) >= columns) {
-        log2--;
-    }
     for (; log2 > 0; log2--) {
         const uint32_t right = w->gx << log2, corner = (int32_t)right < 0 ? least + right : least;
         if (is_gentle(map->u.gx, map->v.gx, w->gx, corner, log2)) {
