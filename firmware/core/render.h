@@ -394,11 +394,13 @@ struct ph_lens {
     int8_t far_s;         /* negative in the fixed formats only; floats read the next byte with it */
     uint8_t float_down;   /* bits of exponent of FLOAT16 and FLOAT24, less 1; 3 for the other formats */
     struct ph_linear linear;
+#ifndef PH_PROFILE_SMALL
     int32_t radian_px;             /* fisheye: pixels per radian, 16.16 */
     uint32_t chord_min2;           /* fisheye: (1/256 px)^2; shorter edges are not divided */
     int32_t chord_max;             /* fisheye: 1/256 px; longer edges are always divided */
     uint32_t near_over, far_over;  /* fisheye: 1 / near_z, 1 / far_z, normalised */
     int16_t near_zeros, far_zeros; /* their leading zeros */
+#endif
 };
 
 /* Where the list of a frame stands, see list.h. Private to the renderer. */
@@ -437,8 +439,13 @@ struct ph_renderer {
     struct {
         const struct ph_curved_lens *curved; /* NULL */
     } projection;
-    struct ph_xform view;
-    struct ph_scene_light light;
+    union {
+        __extension__ struct {
+            struct ph_xform view;
+            struct ph_scene_light light;
+        };                      /* while meshes are drawn */
+        uintptr_t triangle[36]; /* while bands are drawn: the struct ph_triangle that is set up */
+    };
     struct ph_depth_traits depth;
     uint8_t *vertices, *vertices_end; /* where the next vertices go; NULL: they end where parts begin */
     uint8_t *parts;                   /* down to where parts have been taken */

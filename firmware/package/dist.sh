@@ -4,7 +4,9 @@
 #   pinhole-x.tar.gz            the whole tree; `make check` passes where it is unpacked
 #   Pinhole-x-arduino.zip       the renderer as a library for Arduino and PlatformIO
 #   pinhole-x-esp-idf.zip       the renderer as a component of ESP-IDF
-# Environment: B (build directory).
+# With PROFILE=small only
+#   Pinhole-x-small-arduino.zip the renderer for chips of 32 KB of flash, for Arduino and PlatformIO
+# Environment: B (build directory), PROFILE (whole or small).
 set -eu
 cd "$(dirname "$0")/../.."
 B=${B:-build}
@@ -87,19 +89,49 @@ arduino() {
             choose "$name" "$src" >"$work/text" && mv "$work/text" "$src/$name"
         fi
     done
-    printf '/* Pinhole %s: all public headers. */\n' "$VERSION" >"$to/src/Pinhole.h"
-    for name in "$core"/*.h; do
-        echo "#include \"pinhole/${name##*/}\"" >>"$to/src/Pinhole.h"
-    done
-    fill "$here/library.properties.in" >"$to/library.properties"
-    fill "$here/library.json.in" >"$to/library.json"
-    cp "$work/tree/LICENSE" "$to"
+    library "$to"
     cp "$here"/examples/{Hello.ino,triangle.h} "$to/examples/Hello"
     (cd "$work/arduino" && zip -qr -X "$1" Pinhole)
 }
 
+library() { # folder: what is around the sources
+    local name
+    printf '/* Pinhole %s: all public headers. */\n' "$VERSION" >"$1/src/Pinhole.h"
+    for name in "$core"/*.h; do
+        [ ! -e "$1/src/pinhole/${name##*/}" ] || echo "#include \"pinhole/${name##*/}\"" >>"$1/src/Pinhole.h"
+    done
+    fill "$here/library.properties.in" >"$1/library.properties"
+    fill "$here/library.json.in" >"$1/library.json"
+    cp "$work/tree/LICENSE" "$1"
+}
+
+# The small profile takes files of render/ and of the portable kernels as texts.
+arduino_small() {
+    local to=$work/arduino/Pinhole src name
+    src=$to/src/pinhole
+    mkdir -p "$src"
+    cp "$core"/{fx,geom}/*.[ch] "$core"/{render,kernels,kernels/portable}/*.h "$core"/*.h "$src"
+    rm "$src"/{blur,overlay,shadow}.h
+    for name in "$core"/render/small/*.[ch]; do
+        sed -E 's|#include "(\.\./)+(kernels/portable/)?([a-z_]+)\.c"|#include "\3.inc"|' "$name" >"$src/${name##*/}"
+    done
+    sed -nE 's|#include "\.\./(.*)\.c"|\1|p' "$core"/render/small/*.c | while read -r name; do
+        cp "$core/render/$name.c" "$src/${name##*/}.inc"
+    done
+    sed -i '/^#define PH_RENDER_H/a #define PH_PROFILE_SMALL' "$src/render.h"
+    sed -i -E 's|#include "(\.\./)+|#include "|; s|#include <(matvec.h)>|#include "\1"|' "$src"/*
+    library "$to"
+    sed -i 's/^name=Pinhole/&-small/' "$to/library.properties"
+    sed -i 's/"name": "Pinhole/&-small/' "$to/library.json"
+    (cd "$work/arduino" && zip -qr -X "$1" Pinhole)
+}
+
 rm -f "$dist"/*
-git archive --format=tar.gz --prefix="pinhole-$VERSION/" -o "$dist/pinhole-$VERSION.tar.gz" HEAD
-esp_idf "$dist/pinhole-$VERSION-esp-idf.zip"
-arduino "$dist/Pinhole-$VERSION-arduino.zip"
+if [ "${PROFILE:-whole}" = small ]; then
+    arduino_small "$dist/Pinhole-$VERSION-small-arduino.zip"
+else
+    git archive --format=tar.gz --prefix="pinhole-$VERSION/" -o "$dist/pinhole-$VERSION.tar.gz" HEAD
+    esp_idf "$dist/pinhole-$VERSION-esp-idf.zip"
+    arduino "$dist/Pinhole-$VERSION-arduino.zip"
+fi
 find "$dist" -type f -printf "$B/dist/%f\n" | sort

@@ -51,8 +51,8 @@ uninstall: ## takes away what install brought
 	rm -rf '$(INCLUDES)' '$(LIBRARY)/cmake/Pinhole' '$(SOURCES)'
 	rm -f '$(LIBRARY)/libpinhole.a' '$(LIBRARY)/pkgconfig/pinhole.pc'
 
-dist: ## a tarball of git's HEAD, an Arduino and PlatformIO library, an ESP-IDF component: build/dist/
-	$(Q)B='$(B)' VERSION='$(PINHOLE_VERSION)' $(HERE)/dist.sh
+dist: ## a tarball of git's HEAD, an Arduino and PlatformIO library, an ESP-IDF component: build/dist/; PROFILE=small: an Arduino library for small chips
+	$(Q)B='$(B)' PROFILE='$(PROFILE)' VERSION='$(PINHOLE_VERSION)' $(HERE)/dist.sh
 
 deb: ## Debian packages pinhole and libpinhole-dev of git's HEAD, checked by lintian: build/deb/
 	$(Q)B='$(B)' VERSION='$(PINHOLE_VERSION)' $(HERE)/deb.sh

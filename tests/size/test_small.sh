@@ -94,6 +94,12 @@ what_it_lacks_is_refused() {
 }
 check "what_the_profile_lacks_is_refused" what_it_lacks_is_refused
 
+
+headers_are_cpp() { echo '#include "render.h"' | "$1" -std=c++98 -Wall -Wextra -Werror -x c++ -fsyntax-only "${small_flags[@]}" -Ifirmware/core -Ifirmware/core/kernels/portable -; }
+for compiler in g++ clang++; do
+    if command -v $compiler >/dev/null; then check "${compiler}_takes_its_headers" headers_are_cpp $compiler; else skip "${compiler}_takes_its_headers" "no $compiler"; fi
+done
+
 if command -v arm-none-eabi-gcc >/dev/null; then
     takes_16_kb() {
         local bytes
@@ -101,7 +107,13 @@ if command -v arm-none-eabi-gcc >/dev/null; then
         [ "${bytes:-99999}" -le 16384 ] || { echo "${bytes:-no} bytes" && return 1; }
     }
     check "gouraud_takes_at_most_16384_bytes" takes_16_kb
+    # The rows of the paper, with numbers that are 2 % off at most.
+    paper_says_so() {
+        tests/size/small_table.sh >"$dir/table" && grep -A 5 -F "$(head -n 1 "$dir/table")" firmware/README.md | tr -d , | paste -d '|' "$dir/table" - | awk -F '|' '
+            { print } $2 != $7 { bad++ } NR > 2 { for (i = 3; i <= 4; i++) { d = $i - $(i + 5); bad += d > $i / 50 || d < -$i / 50 } } END { exit bad || NR != 6 }'
+    }
+    check "its_table_in_the_papers_holds" paper_says_so
 else
-    skip "gouraud_takes_at_most_16384_bytes" "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi"
+    skip "gouraud_takes_at_most_16384_bytes, and its table holds" "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi"
 fi
 tap_end

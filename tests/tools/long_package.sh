@@ -116,6 +116,19 @@ arduino_compiles_for_arm() { # the first of its arguments: -mcpu=
         arm-none-eabi-nm cull.S."$1" | grep -q ' T ph_cull$'
 }
 
+# The library for small chips draws random scenes as the whole library does, and compiles for a Cortex-M0.
+small_arduino_draws() {
+    local file
+    make -s dist PROFILE=small B="$B/package-small" && empty_folder small && unzip -q "$B/package-small/dist/Pinhole-$version-small-arduino.zip" &&
+        grep -qx "name=Pinhole-small" Pinhole/library.properties || return 1
+    for file in Pinhole/src/pinhole/*.c; do
+        cc -w -Os -IPinhole/src -c "$file" -o "$(basename "$file").o" && arm-none-eabi-gcc -mcpu=cortex-m0 -mthumb -Os -w -IPinhole/src -c "$file" -o "$(basename "$file").m0" || return 1
+    done
+    cc -w -O2 -DPH_PROFILE_SMALL -IPinhole/src/pinhole "$tree/tests/size/small_scenes.c" ./*.o -o small &&
+        cc -w -O2 -I"$tree/firmware/core" -I"$tree/firmware/core/kernels/portable" "$tree/tests/size/small_scenes.c" "$B/package/libpinhole.a" -o whole &&
+        ./small 0 200 >drawn && ./whole 0 200 | diff - drawn && [ "$(wc -l <drawn)" = 200 ]
+}
+
 headers_compile_as_cpp() { # compiler and flags
     echo '#include <Pinhole.h>
 int main() { return ph_rgb565(1, 2, 3) == 0; }' >"$dir/all.cpp"
@@ -198,6 +211,7 @@ need riscv64-unknown-elf-gcc "CMake_builds_for_rv32imac_without_a_C_library" cma
 if command -v zip >/dev/null && command -v unzip >/dev/null && command -v git >/dev/null && check "make_dist_packs" dist; [ "$tap_failed" = 0 ]; then
     check "the_tarball_builds_where_it_is_unpacked" tarball_builds
     check "the_Arduino_library_has_its_layout" arduino_has_its_layout
+    need arm-none-eabi-gcc "the_Arduino_library_for_small_chips_draws_the_same" small_arduino_draws
     check "the_Arduino_library_draws" arduino_draws
     need arm-none-eabi-gcc "the_Arduino_library_compiles_for_a_Cortex-M0+" arduino_compiles_for_arm cortex-m0plus
     need arm-none-eabi-gcc "the_Arduino_library_compiles_for_a_Cortex-M4" arduino_compiles_for_arm cortex-m4

@@ -1,5 +1,5 @@
-/* torus: what the image for 32 KB of flash and 4 KB of RAM draws: a ring of 100 vertices and 200 triangles, Gouraud, in
- * bands of 3 lines. HEIGHT: 64 for the OLED, 128 for an ST7735S. torus_mesh.h is what torus_mesh.c writes. */
+/* torus: what the image for 32 KB of flash and 4 KB of RAM draws: a ring of 96 vertices and 192 triangles, Gouraud, in
+ * bands of 4 lines. HEIGHT: 64 for the OLED, 128 for an ST7735S. torus_mesh.h is what torus_mesh.c writes. */
 #ifndef TORUS_H
 #define TORUS_H
 
@@ -7,7 +7,7 @@
 
 #include "torus_mesh.h"
 
-enum { WIDTH = 128, BAND = 3, FRAMES = 3, VERTICES = 100, TRIANGLES = 200 };
+enum { WIDTH = 128, BAND = 4, FRAMES = 3, VERTICES = 96, TRIANGLES = 192 };
 
 static const struct ph_part torus_part = {0, TRIANGLES, 0};
 static const struct ph_material torus_material = {

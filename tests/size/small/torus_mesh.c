@@ -1,9 +1,9 @@
-/* Writes torus_mesh.h: 10 x 10 vertices on a ring, and a ramp of greys. It runs on the computer. */
+/* Writes torus_mesh.h: 12 x 8 vertices on a ring, and a ramp of greys. It runs on the computer. */
 #include "render.h"
 
 #include <stdio.h>
 
-enum { AROUND = 10, ACROSS = 10 };
+enum { AROUND = 12, ACROSS = 8 };
 
 static int32_t turned(uint32_t i, uint32_t n, int is_sine)
 {

@@ -7,7 +7,7 @@
 struct work {
     struct ph_renderer *r;
     const struct ph_small_part *part;
-    const struct ph_band *band;
+    struct ph_band band;
 };
 
 static uint32_t over_w(const struct ph_small_vertex *v)
@@ -29,7 +29,7 @@ static bool is_in_band(const struct work *w, const struct ph_vertex *const v[3])
     const int32_t right = ph_first_row(ph_max(ph_max(v[0]->x, v[1]->x), v[2]->x));
     const int32_t top = ph_first_row(ph_min(ph_min(v[0]->y, v[1]->y), v[2]->y));
     const int32_t low = ph_first_row(ph_max(ph_max(v[0]->y, v[1]->y), v[2]->y));
-    return left < right && right > 0 && left < w->band->width && top < low && top < w->band->y1 && low > w->band->y0;
+    return left < right && right > 0 && left < w->band.width && top < low && top < w->band.y1 && low > w->band.y0;
 }
 
 /* Draws a projected triangle. False: its corners must be exact ones. */
@@ -48,10 +48,10 @@ static bool draw_projected(const struct work *w, const struct ph_vertex at[3], b
         v[2] = &at[1];
     }
     if (exact) {
-        ph_small_draw_exact(w->r, w->part->material, w->band, v);
+        ph_small_draw_exact(w->r, w->part->material, &w->band, v);
         return true;
     }
-    return ph_small_draw(w->r, w->part->material, w->band, v);
+    return ph_small_draw(w->r, w->part->material, &w->band, v);
 }
 
 /* Transforms the corners of a triangle again. */
@@ -64,61 +64,44 @@ static void transform_again(const struct work *w, const uint16_t index[3], struc
     }
 }
 
-/* Draws a projected triangle whose corners are exact ones. */
-static void draw_any(const struct work *w, const struct ph_vertex at[3])
+/* The corners of a fan's triangle i, which clipping has made: see project_corner in render/clipped.c. */
+static PH_NOINLINE void project(const struct ph_lens *lens, const struct ph_clip_vertex *fan, int i,
+                                struct ph_vertex at[3])
 {
-    if (!draw_projected(w, at, false)) {
-        draw_projected(w, at, true);
+    const struct ph_clip_vertex *const corners[3] = {&fan[0], &fan[i - 1], &fan[i]};
+    for (int k = 0; k < 3; k++) {
+        const struct ph_clip_vertex *const in = corners[k];
+        struct ph_vertex *const v = &at[k];
+        ph_project(lens, in->x, in->y, in->w, in->z, v);
+        v->x = ph_max(ph_min(v->x, PH_GUARD_MAX), -PH_GUARD_MAX);
+        v->y = ph_max(ph_min(v->y, PH_GUARD_MAX), -PH_GUARD_MAX);
+        v->light = (uint16_t)in->light;
+        v->code = 0;
     }
 }
 
-/* A corner that clipping has made: see project_corner in render/clipped.c. */
-static void project(const struct ph_lens *lens, const struct ph_clip_vertex *in, struct ph_vertex *v)
-{
-    ph_project(lens, in->x, in->y, in->w, in->z, v);
-    v->x = ph_max(ph_min(v->x, PH_GUARD_MAX), -PH_GUARD_MAX);
-    v->y = ph_max(ph_min(v->y, PH_GUARD_MAX), -PH_GUARD_MAX);
-    v->light = (uint16_t)in->light;
-    v->code = 0;
-}
-
-/* Clips a triangle, whose corners have their light, and draws what is left. */
-static PH_NOINLINE void draw_clipped(const struct work *w, const uint16_t index[3], struct ph_vertex at[3])
+/* The corners of a triangle of which one is far: in `at`, or *fan, if it is clipped. Returns how many there are. */
+static PH_NOINLINE int far_corners(const struct work *w, const uint16_t index[3], struct ph_vertex at[3],
+                                   const struct ph_clip_vertex **fan)
 {
     struct ph_small_clip *const clip = w->r->clip;
-    const struct ph_lens *const lens = &w->r->lens;
     const bool alike = ph_lit_corners_of(w->part->material) != PH_EACH_CORNER;
-    const struct ph_clip_vertex *corners;
-    if (clip == NULL) {
-        w->r->stats.triangles_dropped++;
-        return;
-    }
-    for (int i = 0; i < 3; i++) {
-        clip->work[0][i] = ph_clip_place(lens, &w->part->matrix, &w->part->positions[index[i]]);
-        clip->work[0][i].light = at[alike ? 0 : i].light;
-    }
-    const int n = ph_small_clip(lens, clip, &corners);
-    for (int i = 2; i < n; i++) {
-        project(lens, &corners[0], &at[0]);
-        project(lens, &corners[i - 1], &at[1]);
-        project(lens, &corners[i], &at[2]);
-        draw_any(w, at);
-    }
-}
-
-/* Draws a triangle of which a corner is far. */
-static PH_NOINLINE void draw_far(const struct work *w, const uint16_t index[3])
-{
-    struct ph_vertex at[3];
     transform_again(w, index, at);
     if ((at[0].code & at[1].code & at[2].code & PH_REJECT) != 0) {
-        return;
+        return 0;
     }
-    if (((at[0].code | at[1].code | at[2].code) & PH_CLIP) != 0) {
-        draw_clipped(w, index, at);
-    } else {
-        draw_any(w, at);
+    if (((at[0].code | at[1].code | at[2].code) & PH_CLIP) == 0) {
+        return 3;
     }
+    if (clip == NULL) {
+        w->r->stats.triangles_dropped++;
+        return 0;
+    }
+    for (int i = 0; i < 3; i++) {
+        clip->work[0][i] = ph_clip_place(&w->r->lens, &w->part->matrix, &w->part->positions[index[i]]);
+        clip->work[0][i].light = at[alike ? 0 : i].light;
+    }
+    return ph_small_clip(&w->r->lens, clip, fan);
 }
 
 /* Draws a triangle in the band, if it has rows there. */
@@ -126,21 +109,31 @@ static void draw_triangle(const struct work *w, const uint16_t index[3])
 {
     const struct ph_small_vertex *const a = &w->part->vertices[index[0]], *const b = &w->part->vertices[index[1]],
                                         *const c = &w->part->vertices[index[2]];
+    const bool far = a->light == 0 || b->light == 0 || c->light == 0;
+    const struct ph_clip_vertex *fan = NULL;
     struct ph_vertex at[3];
-    if (a->light == 0 || b->light == 0 || c->light == 0) {
-        draw_far(w, index);
-        return;
+    int corners = 3;
+    if (far) {
+        corners = far_corners(w, index, at, &fan);
+    } else {
+        const int32_t top = w->band.y0 * 256 + 128, low = w->band.y1 * 256 + 128;
+        if ((a->y <= top && b->y <= top && c->y <= top) || (a->y > low && b->y > low && c->y > low)) {
+            return; /* for speed only: see is_in_band */
+        }
+        unpack(a, &at[0]);
+        unpack(b, &at[1]);
+        unpack(c, &at[2]);
     }
-    const int32_t top = w->band->y0 * 256 + 128, low = w->band->y1 * 256 + 128;
-    if ((a->y <= top && b->y <= top && c->y <= top) || (a->y > low && b->y > low && c->y > low)) {
-        return; /* for speed only: see is_in_band */
-    }
-    unpack(a, &at[0]);
-    unpack(b, &at[1]);
-    unpack(c, &at[2]);
-    if (!draw_projected(w, at, false)) {
-        transform_again(w, index, at);
-        draw_projected(w, at, true);
+    for (int i = 2; i < corners; i++) {
+        if (fan != NULL) {
+            project(&w->r->lens, fan, i, at);
+        }
+        if (!draw_projected(w, at, false)) {
+            if (!far) {
+                transform_again(w, index, at);
+            }
+            draw_projected(w, at, true);
+        }
     }
 }
 
@@ -162,13 +155,13 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
         return 0;
     }
     r->band++;
-    const struct ph_band rows = {
-        .pixels = pixels, .depth = r->config.depth, .stride = width, .y0 = y0, .y1 = y1, .width = width};
-    clear(&rows, r->background);
-    for (const struct ph_small_part *part = r->first; part != NULL; part = part->next) {
-        const struct work w = {r, part, &rows};
-        for (uint32_t i = 0; i < part->count; i++) {
-            draw_triangle(&w, part->triangles[i]);
+    struct work w = {
+        .r = r,
+        .band = {.pixels = pixels, .depth = r->config.depth, .stride = width, .y0 = y0, .y1 = y1, .width = width}};
+    clear(&w.band, r->background);
+    for (w.part = r->first; w.part != NULL; w.part = w.part->next) {
+        for (uint32_t i = 0; i < w.part->count; i++) {
+            draw_triangle(&w, w.part->triangles[i]);
         }
     }
     return (uint32_t)(y1 - y0);

@@ -9,6 +9,14 @@
 #include "raster_rows.h"
 #include "span.h"
 
+_Static_assert(sizeof(struct ph_triangle) <= sizeof((struct ph_renderer *)0)->triangle, "see render.h");
+
+/* The triangle that is set up. It lies in the renderer, for the stack is deepest here. */
+static struct ph_triangle *triangle_of(struct ph_renderer *r)
+{
+    return (struct ph_triangle *)(void *)r->triangle;
+}
+
 /* The colours of a material's pixels: its ramp, or its colour as the only entry. */
 static const uint16_t *ramp_of(const struct ph_material *material)
 {
@@ -86,12 +94,11 @@ static bool setup_small(const struct ph_material *material, const struct ph_vert
     return true;
 }
 
-/* Rows, edges and light of a triangle that is not small. */
-static void setup_large(const struct ph_renderer *r, const struct ph_material *material,
-                        const struct ph_vertex *const v[3], const struct ph_sides *sides, struct ph_triangle *t)
+/* Colour or light of a triangle that is not small. */
+static PH_NOINLINE void setup_light(const struct ph_material *material, const struct ph_vertex *const v[3],
+                                    const struct ph_sides *sides, struct ph_triangle *t)
 {
     uint32_t first;
-    ph_setup_outline(r->config.height, v, t);
     t->material = material;
     t->block = PH_BLOCK_NONE;
     t->kind = PH_KIND_FLAT;
@@ -131,28 +138,37 @@ static uint32_t draw_half(const struct ph_triangle *t, const struct ph_plane *de
     return draw_rows(&r, in->y, band);
 }
 
+/* Draws the rows of a large triangle that lie in the band. */
+static PH_NOINLINE uint32_t draw_large(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_half_rows in;
+    uint32_t count = 0;
+    for (int half = 0; half < 2; half++) {
+        if (ph_rows_of_half_apart(t, band, half, &in)) {
+            count += draw_half(t, &t->as.large.depth.as.plane, &in, band);
+        }
+    }
+    return count;
+}
+
 bool ph_small_draw(struct ph_renderer *r, const struct ph_material *material, const struct ph_band *band,
                    const struct ph_vertex *const v[3])
 {
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    struct ph_triangle t;
-    struct ph_half_rows in;
+    struct ph_triangle *const t = triangle_of(r);
     uint32_t d[3];
     fixed_depths(r, v, ph_depth_bias(material), d);
     if (ph_sides_are_small(&sides) && ph_is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
-        ph_is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height) && setup_small(material, v, &sides, d, &t)) {
-        r->stats.fragments += draw_small(&t.as.small.rows, t.y_top, band);
+        ph_is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height) && setup_small(material, v, &sides, d, t)) {
+        r->stats.fragments += draw_small(&t->as.small.rows, t->y_top, band);
         return true;
     }
-    if (!ph_depth_plane(&t.as.large.depth.as.plane, v[0], &sides, d)) {
+    if (!ph_depth_plane(&t->as.large.depth.as.plane, v[0], &sides, d)) {
         return false;
     }
-    setup_large(r, material, v, &sides, &t);
-    for (int half = 0; half < 2; half++) {
-        if (ph_rows_of_half_apart(&t, band, half, &in)) {
-            r->stats.fragments += draw_half(&t, &t.as.large.depth.as.plane, &in, band);
-        }
-    }
+    ph_setup_outline(r->config.height, v, t);
+    setup_light(material, v, &sides, t);
+    r->stats.fragments += draw_large(t, band);
     return true;
 }
 
@@ -184,25 +200,32 @@ static PH_NOINLINE uint32_t draw_runs(const struct ph_triangle *t, uint32_t bias
     return count;
 }
 
+/* Draws the rows of a triangle with an exact depth that lie in the band, strip by strip. */
+static PH_NOINLINE uint32_t draw_strips(const struct ph_triangle *t, uint32_t bias, const struct ph_band *band)
+{
+    uint32_t count = 0;
+    int32_t next;
+    for (int32_t y = ph_max(band->y0 & ~(PH_EXACT_ROWS - 1), t->y_top); y < t->y_bottom && y < band->y1; y = next) {
+        const int half = y >= t->as.large.y_mid;
+        struct ph_half_rows in;
+        struct ph_plane run;
+        next = ph_min((y | (PH_EXACT_ROWS - 1)) + 1, half ? t->y_bottom : t->as.large.y_mid);
+        rows_of_half(t, y, next, half, &in);
+        const bool is_strip = ph_small_exact_rows(&t->as.large.depth.as.exact, bias, &in, band->width, &run);
+        if (rows_of_half(t, ph_max(y, band->y0), ph_min(next, band->y1), half, &in)) {
+            count += is_strip ? draw_half(t, &run, &in, band) : draw_runs(t, bias, &in, band);
+        }
+    }
+    return count;
+}
+
 PH_NOINLINE void ph_small_draw_exact(struct ph_renderer *r, const struct ph_material *material,
                                      const struct ph_band *band, const struct ph_vertex *const v[3])
 {
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    struct ph_triangle t;
-    struct ph_exact *const e = &t.as.large.depth.as.exact;
-    const uint32_t bias = ph_depth_bias(material);
-    int32_t next;
-    setup_large(r, material, v, &sides, &t);
-    ph_small_set_exact(r, v, &sides, e);
-    for (int32_t y = ph_max(band->y0 & ~(PH_EXACT_ROWS - 1), t.y_top); y < t.y_bottom && y < band->y1; y = next) {
-        const int half = y >= t.as.large.y_mid;
-        struct ph_half_rows in;
-        struct ph_plane run;
-        next = ph_min((y | (PH_EXACT_ROWS - 1)) + 1, half ? t.y_bottom : t.as.large.y_mid);
-        rows_of_half(&t, y, next, half, &in);
-        const bool is_strip = ph_small_exact_rows(e, bias, &in, band->width, &run);
-        if (rows_of_half(&t, ph_max(y, band->y0), ph_min(next, band->y1), half, &in)) {
-            r->stats.fragments += is_strip ? draw_half(&t, &run, &in, band) : draw_runs(&t, bias, &in, band);
-        }
-    }
+    struct ph_triangle *const t = triangle_of(r);
+    ph_setup_outline(r->config.height, v, t);
+    setup_light(material, v, &sides, t);
+    ph_small_set_exact(r, v, &sides, &t->as.large.depth.as.exact);
+    r->stats.fragments += draw_strips(t, ph_depth_bias(material), band);
 }
