@@ -27,7 +27,8 @@ bare() { debian_run "$dir/$suite" "$@"; }
 demo_is_drawn() { bare make demo && [ "$(find "$dir/$suite/pinhole/build/demo" -name '*.ppm' -size +8k | wc -l)" -gt 30 ]; }
 
 nothing_failed() { # at least so many passed
-    tee "$dir/log" | tail -n 60
+    tee "$dir/log" | tail -n 20
+    grep -A 20 '^FAIL' "$dir/log"
     tail -n 1 "$dir/log" | awk -v least="$1" '{ exit !($1 >= least && $2 == "passed," && $3 == 0) }'
 }
 
