@@ -78,11 +78,14 @@ draws() { # name, compiler with its flags
 # ph_rgb565(255, 160, 0) as RGB888: 5 and 6 bits become 8 by repeating the highest.
 orange_pixels() { od -An -v -tx1 -w3 "$1" | grep -c '^ ff a2 00$'; }
 
+has_sanitizers() { echo 'int main(void) { return 0; }' | "$1" -fsanitize=address,undefined -x c - -o "$dir/probe" 2>/dev/null; }
+
 for cc in gcc clang; do
     command -v $cc >/dev/null || { skip "the_example_draws_with_$cc" "no $cc here" && continue; }
     for level in -O0 -O2 -Os; do
         [ -e "$dir/first.rgb" ] || draws first $cc $level >/dev/null 2>&1
         check "the_example_draws_with_${cc}_${level#-}" draws "$cc$level" $cc $level
+        has_sanitizers $cc || { skip "... under_sanitizers" "$cc has none here" && continue; }
         check "... under_sanitizers" draws "$cc$level-san" $cc $level -fsanitize=address,undefined -fno-sanitize-recover=all -fsanitize-address-use-after-scope
     done
 done
