@@ -174,8 +174,10 @@ static void read_map(struct model_text *text, struct map *to)
             read_pair(text, to->scale);
         } else if (model_word_is(&word, "-t") || model_word_is(&word, "-mm")) {
             read_pair(text, (double[2]){0, 0});
-        } else if (model_text_word(text, &word)) {
-            to->clamps = to->clamps || (model_word_is(&word, "on") && strncmp(name.at, "-clamp", 6) == 0);
+        } else if (model_word_is(&word, "-clamp")) {
+            to->clamps = model_text_word(text, &word) && model_word_is(&word, "on");
+        } else {
+            model_text_word(text, &word); /* the value of what is not read */
         }
         name = *text;
     }
