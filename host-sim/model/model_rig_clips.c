@@ -145,5 +145,5 @@ bool model_rig_clips_make(struct model_shared *shared, struct model_motion *to, 
     to->clips = clips;
     to->animation.clip = n > 0 ? clips : NULL;
     to->clip_count = n;
-    return clips != NULL;
+    return clips != NULL || model_shared_failed(shared, "needs too much memory");
 }

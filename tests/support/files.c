@@ -76,3 +76,18 @@ uint8_t *file_read(const char *name, size_t *n)
     fclose(file);
     return bytes;
 }
+
+char *file_base64(const uint8_t *bytes, size_t n)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    char *text = calloc(n / 3 * 4 + 5, 1);
+    for (size_t i = 0, out = 0; i < n; i += 3) {
+        const uint32_t v =
+            (uint32_t)bytes[i] << 16 | (i + 1 < n ? (uint32_t)bytes[i + 1] << 8 : 0) | (i + 2 < n ? bytes[i + 2] : 0);
+        text[out++] = digits[v >> 18];
+        text[out++] = digits[v >> 12 & 63];
+        text[out++] = i + 1 < n ? digits[v >> 6 & 63] : '=';
+        text[out++] = i + 2 < n ? digits[v & 63] : '=';
+    }
+    return text;
+}

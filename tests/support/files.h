@@ -25,4 +25,7 @@ const char *file_text(const char *name, const char *text);
 /* Reads a file of this name; *n is its length. free() it. */
 uint8_t *file_read(const char *name, size_t *n);
 
+/* The text of n bytes in base64. free() it. */
+char *file_base64(const uint8_t *bytes, size_t n);
+
 #endif

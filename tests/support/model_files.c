@@ -26,21 +26,6 @@ void file_ones(const char *name, const int *places, int count, size_t n)
     file_bytes(name, data, n);
 }
 
-char *file_base64(const uint8_t *bytes, size_t n)
-{
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    char *text = calloc(n / 3 * 4 + 5, 1);
-    for (size_t i = 0, out = 0; i < n; i += 3) {
-        const uint32_t v =
-            (uint32_t)bytes[i] << 16 | (i + 1 < n ? (uint32_t)bytes[i + 1] << 8 : 0) | (i + 2 < n ? bytes[i + 2] : 0);
-        text[out++] = digits[v >> 18];
-        text[out++] = digits[v >> 12 & 63];
-        text[out++] = i + 1 < n ? digits[v >> 6 & 63] : '=';
-        text[out++] = i + 2 < n ? digits[v & 63] : '=';
-    }
-    return text;
-}
-
 int open_caught(struct model **model, const char *path, char said[1024])
 {
     struct stderr_capture c;

@@ -11,9 +11,6 @@
 /* Writes n (up to 128) bytes: floats of little endian, 0 everywhere but 1 at these places. */
 void file_ones(const char *name, const int *places, int count, size_t n);
 
-/* The text of n bytes in base64. free() it. */
-char *file_base64(const uint8_t *bytes, size_t n);
-
 /* model_open with stderr caught in said (empty string: nothing was said). */
 int open_caught(struct model **model, const char *path, char said[1024]);
 
