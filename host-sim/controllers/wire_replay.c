@@ -89,10 +89,13 @@ static bool is_seen(const struct sim *sim)
 
 static void tell_frame(struct wire *w, const struct sim *sim)
 {
-    sim_pixels(sim, w->config.rotation, w->rgb);
     w->pending = false;
-    w->seen_once = true;
     w->shown_pixels = sim->counters.pixels;
+    if (w->config.last && !is_seen(sim)) {
+        return; /* the last picture that was seen stays */
+    }
+    sim_pixels(sim, w->config.rotation, w->rgb);
+    w->seen_once = true;
     if (!w->config.last && w->status == 0) {
         w->status = w->config.frame(w->config.context, w->frames, w->rgb);
         w->frames++;
