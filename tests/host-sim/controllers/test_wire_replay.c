@@ -214,6 +214,46 @@ static void steps_are_told_in_their_order_with_their_times(void **state)
         "reset begins at 244888 us; ");
     end("", 1);
     assert_int_equal(wire_replay_complaints(wire), 0);
+    wake(); /* a second time */
+    draw(BLUE, PIXELS_IN_ALL);
+    assert_non_null(strstr(told, "init at "));
+    assert_non_null(strstr(told, "first frame at "));
+}
+
+/* 120 ms are to pass behind sleep-out: here they do while its byte is on the wire. */
+static void the_time_that_a_transfer_takes_counts(void **state)
+{
+    (void)state;
+    for (int is_slow = 0; is_slow < 2; is_slow++) {
+        fresh(NULL);
+        open_wire();
+        set(RESET, true);
+        set(RESET, false);
+        wait_us(1000);
+        set(RESET, true);
+        wait_us(121000);
+        struct wire_event event = transfer(false, "\x11", 1);
+        event.end_ns += is_slow == 1 ? 121000000 : 0;
+        send_event(&event);
+        COMMAND(0x10);
+        assert_int_equal(wire_replay_complaints(wire) == 0, is_slow == 1);
+        closed(NULL);
+    }
+}
+
+/* A write that was begun anew and then a whole one: pixels before the command do not count. */
+static void each_memory_write_begins_a_frame(void **state)
+{
+    (void)state;
+    open_wire();
+    light_up();
+    for (int i = 0; i < 3; i++) {
+        draw(RED, PIXELS_IN_ALL - 1);
+    }
+    expect("");
+    draw(RED, PIXELS_IN_ALL);
+    draw(RED, 1);
+    expect("1=FF0000,FF0000 ");
 }
 
 static void a_frame_is_told_with_its_last_pixel(void **state)
@@ -484,6 +524,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(steps_are_told_in_their_order_with_their_times, fresh, closed),
+        cmocka_unit_test_setup_teardown(the_time_that_a_transfer_takes_counts, fresh, closed),
+        cmocka_unit_test_setup_teardown(each_memory_write_begins_a_frame, fresh, closed),
         cmocka_unit_test_setup_teardown(a_frame_is_told_with_its_last_pixel, fresh, closed),
         cmocka_unit_test_setup_teardown(a_frame_that_stays_dark_is_told_before_the_next_one, fresh, closed),
         cmocka_unit_test_setup_teardown(the_last_picture_is_that_before_the_dark, fresh, closed),
