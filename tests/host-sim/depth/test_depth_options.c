@@ -40,7 +40,7 @@ static const struct depth_command commands[] = {
     {.name = "pairs", .options = " depth near far ", .run = depth_pairs},
     {.name = "every", .options = ALL_OPTIONS, .run = other},
     {.name = "compare", .options = " kind near ", .run = depth_compare},
-    {.name = "plot", .options = " kind separate ", .run = other},
+    {.name = "plot", .options = " kind separate outside ", .run = other},
 };
 
 static struct depth_lab lab;
@@ -152,6 +152,7 @@ static void wrong_lines_are_told(void **state)
         {"compare --near 1", "compare needs a FILE"},
         {"pairs --fov 60", "--fov: pairs does not take it"},
         {"plot x --separation 1", "--separation: plot does not take it"}, /* though it takes --separate */
+        {"plot x --out a", "--out: plot does not take it"},
         {"every --near 1 --far 1", "--near must be less than --far"},
         {"every --near 1 --at 0.99", "--at 0.99"},
         {"every --at 1,100.01", "must lie from --near to --far"},
@@ -177,7 +178,7 @@ static void wrong_lines_are_told(void **state)
         {"every --spacing square", "--spacing"},
         {"every --at 1,,2", "--at"},
         {"every --at 1,", "--at"},
-        {"every --at 0", "--at"},
+        {"every --at 0", "at most 512 numbers"},
         {"every --at 1;2", "--at"},
         {"every --separation 0", "--separation"},
         {"every --separate -1", "--separate"},
