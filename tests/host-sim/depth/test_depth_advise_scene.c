@@ -122,7 +122,7 @@ static void surfaces_fight_within_one_and_a_quarter_steps(void **state)
 {
     (void)state;
     put_two(0, 10, 1.24 * step_at(10));
-    put_two(1, 10, 1.26 * step_at(10));
+    put_two(1, 11, 1.26 * step_at(11));
     played[0][2] = (struct scene_pixel){1, {{.z_m = 20}}};
     advise();
     says("fixed16,16,0,1,1000,3,2,1,33.33,0,0\n");
@@ -153,9 +153,10 @@ static void depth_biases_set_surfaces_apart(void **state)
 {
     (void)state;
     put_two(0, 10, .1 * step_at(10))->layers[0].bias = 3;
+    put_two(2, 10, .1 * step_at(10))->layers[0].bias = 3;
     put_two(1, 10, .1 * step_at(10))->layers[1].bias = 3;
     advise();
-    says("fixed16,16,0,1,1000,2,2,1,50,0,0\n");
+    says("fixed16,16,0,1,1000,3,3,1,33.33,0,0\n");
 }
 
 static void one_surface_fights_with_itself_if_it_is_lit(void **state)
@@ -178,12 +179,13 @@ static void wrong_pixels_are_counted_and_those_that_were_not_foreseen(void **sta
     put_two(0, 10, 1e-4);
     put_two(1, 10, 5);
     put_two(2, 10, 5);
-    shown[0] = shown[1] = 2; /* surface 1 */
+    put_two(4, 10, 1e-4);
+    shown[0] = shown[1] = shown[4] = 2; /* surface 1 */
     shown[2] = 1;
     shown[3] = 3; /* where there is nothing */
     advise();
-    says("fixed16,16,0,1,1000,3,3,1,33.33,2,1\n");
-    says("fixed16,16,0,9.9,1000,3,3,1,33.33,2,1\n");
+    says("fixed16,16,0,1,1000,4,4,2,50,3,1\n");
+    says("fixed16,16,0,9.9,1000,4,4,2,50,3,1\n");
 }
 
 static void frames_are_summed_and_the_nearest_of_all_counts(void **state)
