@@ -1,10 +1,13 @@
-/* The controller models by themselves: bytes sent by hand, as the datasheets describe them, and what is then seen. */
+/* sim_dbi: the controllers with MIPI DBI by themselves: bytes sent by hand, as the data sheets describe them, what is
+ * then seen, and what is told of bytes that a controller would not take. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
 
 #include "sim_bus.h"
+
+#include <string.h>
 
 /*
  * ST7789 240x240 on its IPS glass: red stored at column 2, row 1 is seen there only once inverted; swapped with blue by
@@ -271,139 +274,287 @@ static void memory_is_noise_after_power_on(void **state)
     sim_close(k.sim);
 }
 
-/* SSD1351: 0x74 is upright on its modules; 0x75 counts downwards first; 0x76 mirrors; 0x70 swaps red and blue. */
-static void ssd1351_remaps(void **state)
+static void unknown_commands_are_named(void **state)
 {
     (void)state;
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+    plug(&k);
+    wake_dbi(&k);
+    command(&k, 0xD6);
+    only(&k, SIM_UNKNOWN_COMMAND, 1);
+    assert_non_null(strstr(sim_complaint(k.sim, 0), "ST7789"));
+    assert_non_null(strstr(sim_complaint(k.sim, 0), "D6h"));
+    sim_close(k.sim);
+
+    struct sim_bus old = sim_bus_with(&panel_st7735s_128x160);
+    plug(&old);
+    wake_dbi(&old);
+    command(&old, 0x3C); /* it has no continuation */
+    only(&old, SIM_UNKNOWN_COMMAND, 1);
+    sim_close(old.sim);
+}
+
+static void wrong_numbers_of_parameters_are_seen(void **state)
+{
+    (void)state;
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+    plug(&k);
+    wake_dbi(&k);
+    command(&k, 0x2A);
+    DATA(&k, "\0\0\0");
+    only(&k, SIM_PARAMETER_COUNT, 0);
+    command(&k, 0x00);
+    only(&k, SIM_PARAMETER_COUNT, 1);
+    command(&k, 0x36);
+    DATA(&k, "\0\0");
+    only(&k, SIM_PARAMETER_COUNT, 2);
+    sim_close(k.sim);
+}
+
+static void pixels_in_sleep_are_rejected(void **state)
+{
+    (void)state;
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+    plug(&k);
+    wait_ms(&k, 130);
+    command(&k, 0x2C);
+    DATA(&k, "\0\0\0\0");
+    only(&k, SIM_PIXELS_ASLEEP, 1); /* once a memory write */
+    sim_close(k.sim);
+}
+
+static void data_without_a_command_is_seen(void **state)
+{
+    (void)state;
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+    plug(&k);
+    wait_ms(&k, 130);
+    DATA(&k, "\0\0");
+    only(&k, SIM_PIXELS_NOWHERE, 1);
+    sim_close(k.sim);
+}
+
+static void sleep_commands_need_their_waits(void **state)
+{
+    (void)state;
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+    plug(&k);
+    wake_dbi(&k);
+    command(&k, 0x01);
+    wait_ms(&k, 4);
+    command(&k, 0x00);
+    only(&k, SIM_EARLY_COMMAND, 1); /* 5 ms after SWRESET */
+    wait_ms(&k, 120);
+    command(&k, 0x11);
+    wait_ms(&k, 4);
+    command(&k, 0x00);
+    only(&k, SIM_EARLY_COMMAND, 2); /* 5 ms after SLPOUT */
+    wait_ms(&k, 110);
+    command(&k, 0x10);
+    only(&k, SIM_EARLY_COMMAND, 3); /* 120 ms from SLPOUT to SLPIN */
+    wait_ms(&k, 110);
+    command(&k, 0x11);
+    only(&k, SIM_EARLY_COMMAND, 4); /* 120 ms from SLPIN to SLPOUT */
+    wait_ms(&k, 121);
+    command(&k, 0x10);
+    wait_ms(&k, 121);
+    command(&k, 0x11);
+    only(&k, SIM_EARLY_COMMAND, 4);
+    sim_close(k.sim);
+}
+
+static void windows_outside_of_the_memory_are_seen(void **state)
+{
+    (void)state;
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+    plug(&k);
+    wake_dbi(&k);
+    window(&k, "\0\0\0\xF0", "\0\0\0\0"); /* column 240 */
+    command(&k, 0x2C);
+    only(&k, SIM_WINDOW_OUTSIDE, 1);
+    command(&k, 0x36);
+    DATA(&k, "\x20"); /* turned it is inside */
+    command(&k, 0x2C);
+    only(&k, SIM_WINDOW_OUTSIDE, 1);
+    window(&k, "\0\x09\0\x08", "\0\0\0\0");
+    command(&k, 0x2C);
+    only(&k, SIM_WINDOW_OUTSIDE, 2);
+    sim_close(k.sim);
+}
+
+static void more_pixels_than_the_window_has_are_seen(void **state)
+{
+    (void)state;
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+    plug(&k);
+    wake_dbi(&k);
+    window(&k, "\0\0\0\x01", "\0\0\0\0");
+    command(&k, 0x2C);
+    DATA(&k, "\0\0\0\0");
+    none(&k);
+    DATA(&k, "\0\0");
+    only(&k, SIM_TOO_MANY_PIXELS, 1);
+    sim_close(k.sim);
+}
+
+static void split_pixels_are_seen(void **state)
+{
+    (void)state;
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+    plug(&k);
+    wake_dbi(&k);
+    command(&k, 0x2C);
+    DATA(&k, "\0\0\0");
+    command(&k, 0x00);
+    only(&k, SIM_SPLIT_PIXEL, 1);
+    sim_close(k.sim);
+}
+
+/* ST7789V 9.2.1: red 10000b has the sixth bit 0, 1, its highest bit or the lowest one of green. 33 of 63 is what 16 of
+ * 31 is, widened as it was sent; 32 lies between. */
+static void epf_says_where_the_sixth_bit_comes_from(void **state)
+{
     static const struct {
-        char remap;
-        uint16_t x[2], y[2];
-        uint32_t first;
-    } cases[] = {
-        {'\x74', {4, 5}, {6, 6}, 0xFF0000},     {'\x75', {4, 4}, {6, 7}, 0xFF0000},
-        {'\x76', {123, 122}, {6, 6}, 0xFF0000}, {'\x64', {4, 5}, {121, 121}, 0xFF0000},
-        {'\x70', {4, 5}, {6, 6}, 0x0000FF},
-    };
+        char epf, high, low; /* of a pixel */
+        uint8_t red;
+    } cases[] = {{0x00, '\x80', 0x00, 130}, {0x10, '\x80', 0x00, 132}, {0x20, '\x80', 0x00, 132},
+                 {0x30, '\x80', 0x00, 130}, {0x30, '\x80', 0x20, 132}, {0x00, 0x78, 0x00, 123},
+                 {0x10, 0x78, 0x00, 125},   {0x20, 0x78, 0x20, 123},   {0x30, 0x78, 0x20, 125}};
+    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct sim_bus k = sim_bus_with(&panel_ssd1351_128x128);
+        struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+        const char ramctrl[2] = {0, (char)(0xC0 | cases[i].epf)}, pixel[2] = {cases[i].high, cases[i].low};
         plug(&k);
-        wake_ssd1351(&k);
-        command(&k, 0xA0);
-        data(&k, &cases[i].remap, 1);
-        command(&k, 0x5C);
-        for (uint32_t n = 0; n < 128 * 128; n++) {
-            DATA(&k, "\0\0");
-        }
-        command(&k, 0xAF);
-        command(&k, 0x15);
-        DATA(&k, "\x04\x05");
-        command(&k, 0x75);
-        DATA(&k, "\x06\x07");
-        command(&k, 0x5C);
-        DATA(&k, "\xF8\x00\x07\xE0");
-        assert_int_equal(seen_at(&k, 128, cases[i].x[0], cases[i].y[0]), cases[i].first);
-        assert_int_equal(seen_at(&k, 128, cases[i].x[1], cases[i].y[1]), 0x00FF00);
+        wake_dbi(&k);
+        command(&k, 0x21);
+        command(&k, 0xB0);
+        data(&k, ramctrl, 2);
+        show_dbi(&k, 240 * 320, 0);
+        command(&k, 0x2C);
+        data(&k, pixel, 2);
+        assert_int_equal(seen_at(&k, 240, 0, 0) >> 16, cases[i].red);
         none(&k);
         sim_close(k.sim);
     }
 }
 
-/* Start line, COM lines that are not split to both sides, and fewer lines than the glass has. */
-static void ssd1351_moves_lines(void **state)
+static void pixels_beyond_the_window_begin_it_again(void **state)
 {
     (void)state;
-    struct sim_bus k = sim_bus_with(&panel_ssd1351_128x128);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
-    wake_ssd1351(&k);
-    command(&k, 0xA0);
-    DATA(&k, "\x74");
-    command(&k, 0x5C);
-    for (uint32_t n = 0; n < 128 * 128; n++) { /* line 6 is red */
-        data(&k, n / 128 == 6 ? "\xF8" : "\0\0", 2);
-    }
-    command(&k, 0xAF);
-    assert_int_equal(seen_at(&k, 128, 0, 6), 0xFF0000);
-    command(&k, 0xA1);
-    DATA(&k, "\x02");
-    assert_int_equal(seen_at(&k, 128, 0, 4), 0xFF0000);
-    command(&k, 0xA1);
-    DATA(&k, "\x00");
-    command(&k, 0xA0);
-    DATA(&k, "\x54");
-    assert_int_equal(seen_at(&k, 128, 0, 12), 0xFF0000);
-    command(&k, 0xA0);
-    DATA(&k, "\x74");
-    command(&k, 0xA1);
-    DATA(&k, "\x72");
-    assert_int_equal(seen_at(&k, 128, 0, 20), 0xFF0000);
-    command(&k, 0xCA);
-    DATA(&k, "\x0F"); /* 16 lines */
-    assert_int_equal(seen_at(&k, 128, 0, 20), 0x000000);
-    none(&k);
+    wake_dbi(&k);
+    command(&k, 0x21);
+    show_dbi(&k, 240 * 320, 0);
+    window(&k, "\0\x04\0\x05", "\0\x06\0\x06");
+    command(&k, 0x2C);
+    DATA(&k, "\xFF\xFF\xFF\xFF\xF8\x00\x07\xE0");
+    assert_int_equal(seen_at(&k, 240, 4, 6), 0xFF0000);
+    assert_int_equal(seen_at(&k, 240, 5, 6), 0x00FF00);
+    only(&k, SIM_TOO_MANY_PIXELS, 1);       /* told once */
+    window(&k, "\0\0\0\0", "\0\0\x01\x40"); /* row 320 */
+    command(&k, 0x2C);
+    assert_int_equal(sim_complaint_count_of(k.sim, SIM_WINDOW_OUTSIDE), 1);
     sim_close(k.sim);
 }
 
-static void ssd1351_locks_commands(void **state)
+static void the_first_of_two_small_pixels_has_the_higher_bits(void **state)
 {
     (void)state;
-    struct sim_bus k = sim_bus_with(&panel_ssd1351_128x128);
+    struct sim_bus k = sim_bus_with(&panel_ili9488_320x480);
     plug(&k);
+    pin(&k, HAL_PIN_RESET, false);
     wait_ms(&k, 1);
-    command(&k, 0xB3);
-    DATA(&k, "\xF1");
-    only(&k, SIM_BAD_PARAMETER, 1);
-    for (int locked = 1; locked >= 0; locked--) { /* 10.1.22 names them */
-        command(&k, 0xA2);
-        DATA(&k, "\x00");
-        command(&k, 0xB1);
-        DATA(&k, "\x32");
-        command(&k, 0xBB);
-        DATA(&k, "\x17");
-        command(&k, 0xBE);
-        DATA(&k, "\x05");
-        command(&k, 0xC1);
-        DATA(&k, "\xC8\x80\xC8");
-        only(&k, SIM_BAD_PARAMETER, 6);
-        command(&k, 0xFD);
-        DATA(&k, "\xB1");
-    }
-    command(&k, 0xB3);
-    DATA(&k, "\xF1");
-    only(&k, SIM_BAD_PARAMETER, 6);
-    command(&k, 0xFD);
-    DATA(&k, "\x16");
-    command(&k, 0xA6);
-    only(&k, SIM_BAD_PARAMETER, 7);
-    sim_close(k.sim);
-}
-
-/* SSD0323: parameters with D/C low, a byte is two pixels. 52h is upright with the high half at the left. */
-static void ssd0323_takes_two_greys_a_byte(void **state)
-{
-    (void)state;
-    static const uint8_t set_up[] = {0xA8, 0x3F, 0xA2, 0x4C, 0xA0, 0x52};
-    static const uint8_t corner[] = {0x15, 2, 3, 0x75, 5, 5};
-    struct sim_bus k = sim_bus_with(&panel_ssd0323_128x64);
-    plug(&k);
-    wait_ms(&k, 1);
-    k.hal.ops->bus_write(k.hal.context, HAL_COMMAND, set_up, sizeof set_up);
-    for (uint32_t i = 0; i < 64 * 80; i++) {
+    pin(&k, HAL_PIN_RESET, true);
+    wait_ms(&k, 121);
+    command(&k, 0x11);
+    wait_ms(&k, 121);
+    command(&k, 0x3A);
+    DATA(&k, "\x11");
+    command(&k, 0x36);
+    DATA(&k, "\x48");
+    command(&k, 0x2C);
+    for (uint32_t i = 0; i < 320 * 480 / 2; i++) {
         DATA(&k, "\0");
     }
-    command(&k, 0xAF);
-    k.hal.ops->bus_write(k.hal.context, HAL_COMMAND, corner, sizeof corner);
-    DATA(&k, "\x1F\xA0");
-    assert_int_equal(seen_at(&k, 128, 4, 5), 0x111111);
-    assert_int_equal(seen_at(&k, 128, 5, 5), 0xFFFFFF);
-    assert_int_equal(seen_at(&k, 128, 6, 5), 0xAAAAAA);
-    assert_int_equal(seen_at(&k, 128, 7, 5), 0x000000);
-    command(&k, 0xA7);
-    assert_int_equal(seen_at(&k, 128, 4, 5), 0xEEEEEE);
-    static const uint8_t not_split[] = {0xA4, 0xA0, 0x12};
-    k.hal.ops->bus_write(k.hal.context, HAL_COMMAND, not_split, sizeof not_split);
-    assert_int_equal(seen_at(&k, 128, 4, 10), 0x111111);
+    command(&k, 0x29);
+    pin(&k, HAL_PIN_BACKLIGHT, true);
+    command(&k, 0x2C);
+    DATA(&k, "\x22"); /* 100 010 */
+    assert_int_equal(seen_at(&k, 320, 0, 0), 0xFF0000);
+    assert_int_equal(seen_at(&k, 320, 1, 0), 0x00FF00);
     none(&k);
     sim_close(k.sim);
+}
+
+static void a_reset_does_not_come_right_after_waking(void **state)
+{
+    (void)state;
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+    plug(&k);
+    wait_ms(&k, 130);
+    command(&k, 0x11);
+    wait_ms(&k, 119);
+    command(&k, 0x01);
+    only(&k, SIM_EARLY_COMMAND, 1);
+    wait_ms(&k, 121);
+    command(&k, 0x11);
+    wait_ms(&k, 120);
+    command(&k, 0x01);
+    only(&k, SIM_EARLY_COMMAND, 1);
+    sim_close(k.sim);
+}
+
+/* Rows 0 and 1 are red and green. LCMCTRL 6Ch is its reset value with XMY; GATECTRL: 128 lines, from the last one. */
+static void lines_are_mirrored_driven_and_counted_as_commanded(void **state)
+{
+    (void)state;
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
+    plug(&k);
+    wake_dbi(&k);
+    command(&k, 0x21);
+    show_dbi(&k, 240 * 320, 0xFFFF);
+    command(&k, 0xC0);
+    DATA(&k, "\x6C");
+    window(&k, "\0\0\0\0", "\0\x50\0\x51"); /* rows 239 and 238 of 320 */
+    command(&k, 0x2C);
+    DATA(&k, "\xF8\x00\x07\xE0");
+    assert_int_equal(seen_at(&k, 240, 0, 239), 0xFF0000);
+    assert_int_equal(seen_at(&k, 240, 0, 238), 0x00FF00);
+    command(&k, 0xE4);
+    DATA(&k, "\x0F\0\x10"); /* 128 lines */
+    assert_int_equal(seen_at(&k, 240, 0, 127), 0xFFFFFF);
+    assert_int_equal(seen_at(&k, 240, 0, 128), 0x000000);
+    command(&k, 0xC0);
+    DATA(&k, "\x2C");
+    window(&k, "\0\0\0\0", "\0\x7F\0\x7F");
+    command(&k, 0x2C);
+    DATA(&k, "\x00\x1F");
+    assert_int_equal(seen_at(&k, 240, 0, 127), 0x0000FF);
+    command(&k, 0xE4);
+    DATA(&k, "\x0F\0\x11"); /* from the last one */
+    assert_int_equal(seen_at(&k, 240, 0, 0), 0x0000FF);
+    none(&k);
+    sim_close(k.sim);
+}
+
+/* GC9A01 6.5: FEh and EFh, in this order and with nothing between, unlock until the next reset. */
+static void registers_are_unlocked_by_two_commands_in_a_row(void **state)
+{
+    static const uint8_t codes[4][3] = {{0xFE, 0x00, 0xEF}, {0xEF, 0xFE, 0x00}, {0xFE, 0x00, 0x00}, {0xFE, 0xEF, 0x00}};
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        struct sim_bus k = sim_bus_with(&panel_gc9a01_240x240);
+        plug(&k);
+        wake_dbi(&k);
+        for (int c = 0; c < 3; c++) {
+            command(&k, codes[i][c]);
+        }
+        command(&k, 0xC3);
+        DATA(&k, "\x13");
+        only(&k, SIM_BAD_PARAMETER, i < 3);
+        sim_close(k.sim);
+    }
 }
 
 int main(void)
@@ -419,10 +570,20 @@ int main(void)
         cmocka_unit_test(display_function_control_turns_the_scan),
         cmocka_unit_test(what_is_off_or_asleep_is_dark),
         cmocka_unit_test(memory_is_noise_after_power_on),
-        cmocka_unit_test(ssd1351_remaps),
-        cmocka_unit_test(ssd1351_moves_lines),
-        cmocka_unit_test(ssd1351_locks_commands),
-        cmocka_unit_test(ssd0323_takes_two_greys_a_byte),
+        cmocka_unit_test(unknown_commands_are_named),
+        cmocka_unit_test(wrong_numbers_of_parameters_are_seen),
+        cmocka_unit_test(pixels_in_sleep_are_rejected),
+        cmocka_unit_test(data_without_a_command_is_seen),
+        cmocka_unit_test(sleep_commands_need_their_waits),
+        cmocka_unit_test(windows_outside_of_the_memory_are_seen),
+        cmocka_unit_test(more_pixels_than_the_window_has_are_seen),
+        cmocka_unit_test(split_pixels_are_seen),
+        cmocka_unit_test(epf_says_where_the_sixth_bit_comes_from),
+        cmocka_unit_test(pixels_beyond_the_window_begin_it_again),
+        cmocka_unit_test(the_first_of_two_small_pixels_has_the_higher_bits),
+        cmocka_unit_test(a_reset_does_not_come_right_after_waking),
+        cmocka_unit_test(lines_are_mirrored_driven_and_counted_as_commanded),
+        cmocka_unit_test(registers_are_unlocked_by_two_commands_in_a_row),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
