@@ -222,7 +222,7 @@ static void set_drawn(struct drawn *d, const uint8_t *base, const struct scene_f
     d->part = (struct ph_part){.count = m->triangle_count};
     d->texture = texture_of(base, &m->texture);
     d->alphas = texture_of(base, &m->alphas);
-    d->blend = (struct ph_blend){.draw = ph_draw_blended,
+    d->blend = (struct ph_blend){.draw = ph_draw_blended_alphas,
                                  .kind = blend_kinds[m->blend],
                                  .alpha = m->alpha,
                                  .alphas = m->alphas.texels != 0 ? &d->alphas : NULL};

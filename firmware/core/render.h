@@ -98,11 +98,12 @@ enum ph_blend_kind {
  * colours textures: draw a mesh with its texture, then the same mesh again, UNLIT or GOURAUD, with PH_BLEND_TIMES and
  * colours for its vertices, or in coloured light. Both have the same depth at each pixel. The key is looked for in the
  * nearest texel, without light; alphas have their own filter. The renderer takes 6 to 32 bytes for each column of the
- * picture, and a byte for each row, from the triangle budget in a frame that has some; without room, or with draw =
- * NULL, their triangles are left out.
+ * picture, and a byte for each row, from the triangle budget in a frame that has some; without room, with draw =
+ * NULL, or with alphas that draw has not the code for, their triangles are left out.
  */
 struct ph_blend {
-    const struct ph_blending *draw;  /* ph_draw_blended: a program links what blends if it names this */
+    const struct ph_blending *draw;  /* ph_draw_blended: a program links what blends if it names this; or
+                                        ph_draw_blended_alphas */
     uint8_t kind;                    /* enum ph_blend_kind */
     uint8_t alpha;                   /* TIMES, ALPHA, ADD: 1 .. 32; 0: nothing shows */
     uint16_t key;                    /* wire order */
@@ -111,8 +112,10 @@ struct ph_blend {
                                         have alpha 1 */
 };
 
-extern const struct ph_blending ph_blending;
+extern const struct ph_blending ph_blending, ph_blending_alphas;
 #define ph_draw_blended (&ph_blending)
+/* Also by alphas over a material without a texture, for which it links what draws textures. */
+#define ph_draw_blended_alphas (&ph_blending_alphas)
 
 struct ph_material {
     const struct ph_shading *shading; /* PH_SHADE_... */

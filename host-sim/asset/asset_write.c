@@ -118,8 +118,9 @@ static void put_blend(FILE *file, const struct ph_blend *from, uint32_t m)
     if (from->alphas != NULL) {
         put_texture(file, "alphas", from->alphas, m);
     }
-    fprintf(file, "\nstatic const struct ph_blend blend_%u = {.draw = ph_draw_blended, .kind = %s, .alpha = %u,\n    ",
-            (unsigned)m, kinds[from->kind], from->alpha);
+    fprintf(file,
+            "\nstatic const struct ph_blend blend_%u = {.draw = ph_draw_blended%s, .kind = %s, .alpha = %u,\n    ",
+            (unsigned)m, from->alphas != NULL ? "_alphas" : "", kinds[from->kind], from->alpha);
     if (from->alphas != NULL) {
         fprintf(file, ".alphas = &alphas_%u", (unsigned)m);
     }

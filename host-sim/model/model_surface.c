@@ -168,6 +168,7 @@ static bool make_blend(struct model_shared *shared, const struct model_surface *
         texture->wrap = from->wrap[0];
         texture->filter = filter_of(shared, from) & 15;
         blend->alphas = texture;
+        blend->draw = ph_draw_blended_alphas;
     }
     return true;
 }
@@ -180,10 +181,11 @@ static bool make_glow(struct model_shared *shared, const struct model_surface *f
     if (blend == NULL) {
         return false;
     }
-    *blend = (struct ph_blend){.draw = ph_draw_blended,
+    const struct ph_texture *const alphas = to->surface.blend != NULL ? to->surface.blend->alphas : NULL;
+    *blend = (struct ph_blend){.draw = alphas != NULL ? ph_draw_blended_alphas : ph_draw_blended,
                                .kind = PH_BLEND_ADD,
                                .alpha = 32,
-                               .alphas = to->surface.blend != NULL ? to->surface.blend->alphas : NULL};
+                               .alphas = alphas};
     to->glow = (struct ph_material){.shading = PH_SHADE_UNLIT,
                                     .two_sided = to->surface.two_sided,
                                     .depth_bias = GLOW_BIAS,

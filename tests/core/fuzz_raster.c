@@ -338,7 +338,7 @@ static struct ph_material any_material(struct content *c, int i)
 {
     c->textures[i] = any_texture();
     c->alphas[i] = any_texture();
-    c->blends[i] = (struct ph_blend){.draw = ph_draw_blended,
+    c->blends[i] = (struct ph_blend){.draw = ph_draw_blended_alphas,
                                      .kind = (uint8_t)below(PH_BLEND_ADD + 1),
                                      .alpha = (uint8_t)below(33),
                                      .key = (uint16_t)(below(4) * 40503u),

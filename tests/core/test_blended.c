@@ -333,7 +333,7 @@ static void cut_outs_show_what_is_behind_their_key_and_hide_it_elsewhere(void **
     (void)state;
     static struct scene s;
     static struct ph_blend key = {.draw = ph_draw_blended, .kind = PH_BLEND_KEY},
-                           mask = {.draw = ph_draw_blended, .kind = PH_BLEND_MASK};
+                           mask = {.draw = ph_draw_blended_alphas, .kind = PH_BLEND_MASK};
     for (int i = 0; i < 4; i++) {
         begin(&s, i);
         key.key = wire(0xf81f);
@@ -361,7 +361,7 @@ static void blended_quads_mix_with_what_is_behind_in_the_order_of_the_calls(void
         s.count = 6;
         for (int k = 0; k < 4; k++) {
             struct quad *const q = &s.quads[k + 1];
-            blends[k] = (struct ph_blend){.draw = ph_draw_blended,
+            blends[k] = (struct ph_blend){.draw = ph_draw_blended_alphas,
                                           .kind = k == 2 ? PH_BLEND_ADD : PH_BLEND_ALPHA,
                                           .alpha = (uint8_t)(k == 1 ? 32 : 8 + 5 * k),
                                           .alphas = k == 1 || k == 2 ? &s.alpha_texture : NULL};
@@ -567,8 +567,8 @@ static void the_memory_for_rows_changes_no_byte(void **state)
         s.texture.wrap = s.alpha_texture.wrap = round & 1 ? PH_WRAP_CLAMP : PH_WRAP_REPEAT;
         for (int i = 1; i < QUADS; i++) {
             const int kind = (int)ref_uniform(0, PH_BLEND_ADD + .999);
-            blends[kind] =
-                (struct ph_blend){.draw = ph_draw_blended, .kind = (uint8_t)kind, .alpha = 20, .key = wire(0xf81f)};
+            blends[kind] = (struct ph_blend){
+                .draw = ph_draw_blended_alphas, .kind = (uint8_t)kind, .alpha = 20, .key = wire(0xf81f)};
             blends[kind].alphas = kind != PH_BLEND_KEY && ref_uniform(0, 1) < .5 ? &s.alpha_texture : NULL;
             scatter(&s.quads[i], &blends[kind]);
         }
@@ -617,14 +617,16 @@ static void without_its_function_it_is_left_out_and_counted(void **state)
 {
     (void)state;
     static struct scene s;
-    static struct ph_blend glass = {.draw = ph_draw_blended, .kind = PH_BLEND_ALPHA, .alpha = 16};
-    static struct ph_blend forgotten = {.kind = PH_BLEND_ALPHA, .alpha = 16};
+    static struct ph_blend mask, forgotten = {.kind = PH_BLEND_ALPHA, .alpha = 16};
+    const struct ph_blend textured = {.draw = ph_draw_blended, .kind = PH_BLEND_MASK, .alphas = &s.alpha_texture};
     struct rig with, without;
     begin(&s, 0);
-    s.count = 3;
     lean(&s.quads[1], 3);
     lean(&s.quads[2], 2);
-    s.quads[1].blend = &glass;
+    lean(&s.quads[3], 2.5); /* a colour, whose alphas take the other one */
+    mask = textured;
+    s.quads[1].textured = true;
+    s.quads[1].blend = s.quads[3].blend = &mask;
     s.quads[2].blend = &forgotten;
     rig_open(&with, W, H, 8, PH_DEPTH_FIXED16, 64, 128);
     rig_open(&without, W, H, 8, PH_DEPTH_FIXED16, 64, 128);
@@ -633,13 +635,15 @@ static void without_its_function_it_is_left_out_and_counted(void **state)
     ph_projection_perspective(&lens, FX_INT(60), FX_ONE, FX_HALF, FX_INT(20));
     assert_int_equal(ph_frame_begin(&with.r, &view, &lens, NULL, 0), PH_OK);
     assert_int_equal(ph_frame_begin(&without.r, &view, &lens, NULL, 0), PH_OK);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         draw_quad(&s, &with, &s.quads[i]);
-        if (i < 2) {
-            draw_quad(&s, &without, &s.quads[i]);
-        }
     }
-    assert_int_equal(with.r.stats.triangles_dropped, 2);
+    mask.draw = ph_draw_blended_alphas;
+    for (int i = 0; i < 2; i++) {
+        draw_quad(&s, &without, &s.quads[i]);
+    }
+    mask.draw = ph_draw_blended;
+    assert_int_equal(with.r.stats.triangles_dropped, 4);
     assert_int_equal(without.r.stats.triangles_dropped, 0);
     assert_true(rig_finish(&with) && rig_finish(&without));
     assert_memory_equal(with.pixels, without.pixels, W * H * sizeof(uint16_t));

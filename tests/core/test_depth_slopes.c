@@ -114,7 +114,7 @@ static struct ph_material material_of(const struct surface *surface, const uint1
                                    .levels = 1};
     if (surface->blend != NONE) {
         blends[surface->blend] =
-            (struct ph_blend){ph_draw_blended, (uint8_t)surface->blend, 16, 9, &alphas[surface->wrap]};
+            (struct ph_blend){ph_draw_blended_alphas, (uint8_t)surface->blend, 16, 9, &alphas[surface->wrap]};
     }
     return (struct ph_material){.shading = surface->shading,
                                 .two_sided = 1,

@@ -94,7 +94,7 @@ static void make_surfaces(void)
                                       .wrap = PH_WRAP_CLAMP,
                                       .filter = PH_FILTER_BILINEAR};
     made.blended =
-        (struct ph_blend){.draw = ph_draw_blended, .kind = PH_BLEND_ALPHA, .alpha = 20, .alphas = &made.alphas};
+        (struct ph_blend){.draw = ph_draw_blended_alphas, .kind = PH_BLEND_ALPHA, .alpha = 20, .alphas = &made.alphas};
     made.added = (struct ph_blend){.draw = ph_draw_blended, .kind = PH_BLEND_ADD, .alpha = 30};
     made.materials[1].shading = PH_SHADE_TEXTURE_LIT;
     made.materials[1].blend = &made.blended;

@@ -74,8 +74,8 @@ static void fill_textures(struct materials *m)
     m->light_texture = m->fence_texture;
     m->light_texture.texels = m->light;
     m->light_texture.filter = PH_FILTER_BILINEAR;
-    m->glow =
-        (struct ph_blend){.draw = ph_draw_blended, .kind = PH_BLEND_ADD, .alpha = 32, .alphas = &m->light_texture};
+    m->glow = (struct ph_blend){
+        .draw = ph_draw_blended_alphas, .kind = PH_BLEND_ADD, .alpha = 32, .alphas = &m->light_texture};
 }
 
 /* A lit material without a ramp: the lamps have colours. */

@@ -254,7 +254,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     const uint32_t n = mesh->vertex_count;
     c.draw = (struct ph_draw){.material = material, .kind = PH_DRAW_SMALL};
     c.draw.base = n - 1 < r->config.vertex_max ? ph_list_vertices(r, n) : UINT32_MAX;
-    if (c.draw.base == UINT32_MAX || (material->blend != NULL && !ph_list_blend(r, material->blend)) ||
+    if (c.draw.base == UINT32_MAX || (material->blend != NULL && !ph_list_blend(r, material)) ||
         !ph_list_draw(r, &c.draw)) {
         ph_list_rewind(r, &mark);
         return ph_list_leave_out(r, mesh, false);

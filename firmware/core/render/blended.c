@@ -232,7 +232,7 @@ static void begin(struct blend_pass *o, const struct ph_draw *draw)
                    material->texture->filter == PH_FILTER_NEAREST;
     if (o->has_keys && !o->same_keys) {
         o->key_material = *material;
-        o->key_material.shading = PH_SHADE_TEXTURE;
+        o->key_material.shading = ph_texels_of_blend(material);
         o->key_texture = by_colour ? *material->texture : *o->blend->alphas;
         o->key_texture.filter = by_colour ? PH_FILTER_NEAREST : o->key_texture.filter;
         o->key_material.texture = &o->key_texture;
@@ -331,8 +331,8 @@ static void draw_after(struct ph_renderer *r, const struct ph_band *band)
     ph_draw_in_parts(r, band, r->rows >= 2 && has_one_lens(r) ? rows_of_half(r, band) : 0, draw_share);
 }
 
-const struct ph_blending ph_blending = {.begin_blend = ph_begin_blend,
-                                        .put_after = ph_put_after,
-                                        .draw_sides = ph_draw_sides,
-                                        .sort_opaque = ph_sort_opaque,
-                                        .draw_after = draw_after};
+#define BLENDING                                                                                                       \
+    .begin_blend = ph_begin_blend, .put_after = ph_put_after, .draw_sides = ph_draw_sides,                             \
+    .sort_opaque = ph_sort_opaque, .draw_after = draw_after
+
+const struct ph_blending ph_blending = {BLENDING}, ph_blending_alphas = {BLENDING, .of_alphas = PH_SHADE_TEXTURE};

@@ -73,7 +73,7 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
     const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
     const uint32_t since = r->list.last, before = ph_ref_count(r);
     r->lines = &ph_lines;
-    if (material->blend != NULL && !ph_list_blend(r, material->blend)) {
+    if (material->blend != NULL && !ph_list_blend(r, material)) {
         r->stats.triangles_dropped++;
         return;
     }

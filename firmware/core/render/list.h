@@ -126,13 +126,24 @@ struct ph_blending {
     void (*sort_opaque)(uint32_t *bins, struct ph_ref *ref, uint32_t n);
     /* Draws into a band what was put after the others. */
     void (*draw_after)(struct ph_renderer *r, const struct ph_band *band);
+    /* The shading that draws alphas over a material without a texture; NULL: such a triangle is left out. */
+    const struct ph_shading *of_alphas;
 };
 
-/* Prepares for something with a blend. False: it is left out, because there is no room for it, or because the blend
- * does not say what draws it. */
-static inline bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
+/* The shading that draws the texels which decide in a blend: see struct ph_blend. NULL: there is none. */
+static inline const struct ph_shading *ph_texels_of_blend(const struct ph_material *material)
 {
-    return blend->draw != NULL && blend->draw->begin_blend(r, blend);
+    return ph_takes_texture(material) ? material->shading->texels : material->blend->draw->of_alphas;
+}
+
+/* Prepares for a material with a blend. False: it is left out, because there is no room for it, or because the blend
+ * does not say what draws it. */
+static inline bool ph_list_blend(struct ph_renderer *r, const struct ph_material *material)
+{
+    const struct ph_blend *const blend = material->blend;
+    return blend->draw != NULL &&
+           (blend->alphas == NULL || blend->kind == PH_BLEND_KEY || ph_texels_of_blend(material) != NULL) &&
+           blend->draw->begin_blend(r, blend);
 }
 
 /* blended.c and feed.c: see struct ph_blending. */

@@ -210,7 +210,7 @@ static void draw_part(struct ph_part_context *c, const struct ph_part *part, con
         wire ? PH_DRAW_LINES
              : PH_DRAW_SMALL | (c->coloured ? PH_DRAW_COLOURS : 0) | (blended && c->two_sided ? PH_DRAW_ONE_SIDE : 0);
     r->stats.triangles_in += wire ? 0 : part->count;
-    if (!room || (blend != NULL && !ph_list_blend(r, blend)) || !ph_list_draw(r, &c->draw)) {
+    if (!room || (blend != NULL && !ph_list_blend(r, c->material)) || !ph_list_draw(r, &c->draw)) {
         r->stats.triangles_dropped += count;
         return;
     }

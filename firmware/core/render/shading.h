@@ -51,6 +51,7 @@ struct ph_shading {
     void (*draw_edges)(const struct ph_part_context *c); /* edges, no triangles; NULL: triangles */
     const struct ph_lighting *lighting;                  /* NULL: PH_NO_CORNER */
     struct ph_texturing texturing;
+    const struct ph_shading *texels; /* with a texture: the one that shows its texels without light */
 };
 
 static inline bool ph_is_wire(const struct ph_material *material)

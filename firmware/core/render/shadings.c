@@ -20,8 +20,8 @@ static const struct ph_lighting lighting = {
 const struct ph_shading ph_shade_flat = {.corners = PH_FIRST_CORNER, .lighting = &lighting};
 const struct ph_shading ph_shade_gouraud = {.corners = PH_EACH_CORNER, .lighting = &lighting};
 const struct ph_shading ph_shade_wire = {.draw_edges = ph_draw_edges};
-const struct ph_shading ph_shade_texture = {.texturing = TEXTURING};
+const struct ph_shading ph_shade_texture = {.texturing = TEXTURING, .texels = &ph_shade_texture};
 const struct ph_shading ph_shade_texture_lit = {
-    .corners = PH_FIRST_CORNER, .lighting = &lighting, .texturing = TEXTURING};
+    .corners = PH_FIRST_CORNER, .lighting = &lighting, .texturing = TEXTURING, .texels = &ph_shade_texture};
 const struct ph_shading ph_shade_texture_gouraud = {
-    .corners = PH_EACH_CORNER, .lighting = &lighting, .texturing = TEXTURING};
+    .corners = PH_EACH_CORNER, .lighting = &lighting, .texturing = TEXTURING, .texels = &ph_shade_texture};

@@ -150,7 +150,7 @@ static void textures_and_blends_are_structs(void **state)
                 "    .wrap = PH_WRAP_REPEAT, .filter = PH_FILTER_MIPMAP, .levels = 2};");
     expect_once("alphas_1 = {.texels = alphas_texels_1, .log2_width = 1, .log2_height = 2,\n"
                 "    .wrap = PH_WRAP_CLAMP, .filter = PH_FILTER_BILINEAR, .levels = 0};");
-    expect_once("blend_1 = {.draw = ph_draw_blended, .kind = PH_BLEND_ALPHA, .alpha = 20,\n    .alphas = &alphas_1};");
+    expect_once("blend_1 = {.draw = ph_draw_blended_alphas, .kind = PH_BLEND_ALPHA, .alpha = 20,\n    .alphas = &alphas_1};");
     expect_once("blend_2 = {.draw = ph_draw_blended, .kind = PH_BLEND_ADD, .alpha = 30,\n    };");
     for (uint8_t filter = 0; filter < 3; filter++) {
         char part[60];

@@ -268,7 +268,7 @@ static void alpha_chooses_the_blend(void **state)
         assert_int_equal(b != NULL ? b->kind : -1, blends[i].kind);
         assert_int_equal(b != NULL ? b->alpha : 0, blends[i].strength);
         assert_int_equal(b != NULL && b->alphas != NULL, blends[i].green >= 0);
-        assert_true(b == NULL || b->draw == ph_draw_blended);
+        assert_true(b == NULL || b->draw == (b->alphas != NULL ? ph_draw_blended_alphas : ph_draw_blended));
         if (blends[i].green >= 0) {
             unsigned c[3];
             channels_of(b->alphas->texels[1], c);
@@ -293,7 +293,7 @@ static void emission_of_what_has_a_texture_is_drawn_over_it(void **state)
     assert_int_equal(made.glow.depth_bias, 8);
     assert_ptr_equal(made.glow.ramp, made.surface.ramp);
     assert_true(made.glow.blend->kind == PH_BLEND_ADD && made.glow.blend->alpha == 32);
-    assert_ptr_equal(made.glow.blend->draw, ph_draw_blended);
+    assert_ptr_equal(made.glow.blend->draw, ph_draw_blended_alphas);
     assert_ptr_equal(made.glow.blend->alphas, made.surface.blend->alphas);
     fresh(NULL);
     surface.glow[2] = 1;
