@@ -103,11 +103,24 @@ static void the_lens_has_its_options(void **state)
     take("--crc --fov 179.99");
 }
 
-static void wrong_values_and_pairs_are_told(void **state)
+struct wrong_line {
+    const char *line, *said;
+};
+
+static void expect_wrong(const struct wrong_line *lines, size_t n)
 {
-    static const struct {
-        const char *line, *said;
-    } cases[] = {
+    for (size_t i = 0; i < n; i++) {
+        assert_int_equal(read_line(lines[i].line), PH_ERR_INVAL);
+        if (strstr(said.text, lines[i].said) == NULL) {
+            fail_msg("%s: %s", lines[i].line, said.text);
+        }
+        assert_int_equal(stderr_capture_lines(&said), 1);
+    }
+}
+
+static void options_that_exclude_each_other_are_told(void **state)
+{
+    static const struct wrong_line lines[] = {
         {"", "nothing to do: give --out, --check, --crc, --stats, --matrix or --window"},
         {"--demo a --model b --crc", "--demo and --model exclude each other"},
         {"--clip a --crc", "--clip: of which model?"},
@@ -131,6 +144,14 @@ static void wrong_values_and_pairs_are_told(void **state)
         {"--crc --focal -1", "--focal: below 0 it turns the view"},
         {"--crc --flatten kaist-4.7", "--flatten: is printed with --matrix"},
         {"--matrix --projection fisheye", "--matrix: a fisheye has no matrix"},
+    };
+    (void)state;
+    expect_wrong(lines, sizeof lines / sizeof lines[0]);
+}
+
+static void wrong_values_are_told(void **state)
+{
+    static const struct wrong_line lines[] = {
         {"--crc --size 0x4", "--size"},
         {"--crc --size 1025x4", "--size"},
         {"--crc --fov 0", "--fov"},
@@ -156,13 +177,7 @@ static void wrong_values_and_pairs_are_told(void **state)
         {"--crc --other", "--other"},
     };
     (void)state;
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        assert_int_equal(read_line(cases[i].line), PH_ERR_INVAL);
-        if (strstr(said.text, cases[i].said) == NULL) {
-            fail_msg("%s: %s", cases[i].line, said.text);
-        }
-        assert_int_equal(stderr_capture_lines(&said), 1);
-    }
+    expect_wrong(lines, sizeof lines / sizeof lines[0]);
     take("--model a --crc --size 1024x1 --focal 1,0.00002 --frames 1000000000 --scale 16 --tolerance 255 --band 1024");
 }
 
@@ -227,9 +242,13 @@ static void what_no_lens_can_do_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_not_given_has_its_default), cmocka_unit_test(each_option_sets_its_own),
-        cmocka_unit_test(the_lens_has_its_options),          cmocka_unit_test(wrong_values_and_pairs_are_told),
-        cmocka_unit_test(the_lens_fits_the_picture),         cmocka_unit_test(what_no_lens_can_do_is_refused),
+        cmocka_unit_test(what_is_not_given_has_its_default),
+        cmocka_unit_test(each_option_sets_its_own),
+        cmocka_unit_test(the_lens_has_its_options),
+        cmocka_unit_test(options_that_exclude_each_other_are_told),
+        cmocka_unit_test(wrong_values_are_told),
+        cmocka_unit_test(the_lens_fits_the_picture),
+        cmocka_unit_test(what_no_lens_can_do_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
