@@ -110,6 +110,7 @@ static void counts_and_numbers_keep_their_bounds(void **state)
     EXPECT(true, skinned->frac, 24);
     EXPECT(false, skinned->frac, 25);
     EXPECT(false, skinned->joint_count, 0);
+    EXPECT(false, morphed->joint_count, 0);
     EXPECT(true, skinned->first_weight, MADE_WEIGHTS);
     EXPECT(false, skinned->first_weight, MADE_WEIGHTS + 1);
     EXPECT(true, morphed->first_weight, MADE_WEIGHTS - 2);

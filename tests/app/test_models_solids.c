@@ -63,6 +63,43 @@ static void stripes_share_the_sides_evenly_and_alternate(void **state)
     release(&m);
 }
 
+/* The sides from 0 on of the whole can, with the same places and normals. */
+static void an_arc_of_a_can_is_a_part_of_it(void **state)
+{
+    static const struct ph_material plain;
+    (void)state;
+    for (uint32_t seen = 1; seen < 12; seen++) {
+        struct model whole = {.arena = arena_of(MODEL_LATHE_BYTES(12, CAN_POINTS, 1))},
+                     m = {.arena = arena_of(1 << 16)};
+        assert_int_equal(model_lathe(&whole.arena, &whole.mesh, can, CAN_POINTS, 12, 1, NULL), PH_OK);
+        assert_int_equal(model_lathe_arc(&m.arena, &m.mesh, can, CAN_POINTS, 12, seen, &plain), PH_OK);
+        assert_int_equal(m.mesh.vertex_count, (seen + 1) * CAN_POINTS);
+        assert_int_equal(m.mesh.triangle_count, 2 * seen * (CAN_POINTS - 1));
+        for (uint32_t i = 0; i < m.mesh.vertex_count; i++) {
+            double p[3];
+            position(&whole.mesh, i / (seen + 1) * 12 + i % (seen + 1), p);
+            assert_true(position_error(&m.mesh, i, p) == 0);
+        }
+        for (uint32_t t = 0; t < m.mesh.triangle_count;
+             t++) { /* outwards: away from the axis, up above and down below */
+            double a[3], b[3], c[3];
+            position(&m.mesh, m.mesh.triangles[t][0], a);
+            position(&m.mesh, m.mesh.triangles[t][1], b);
+            position(&m.mesh, m.mesh.triangles[t][2], c);
+            const double solid = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                                 a[2] * (b[0] * c[1] - b[1] * c[0]);
+            assert_true(solid > -1e-9);
+        }
+        assert_int_equal(m.mesh.materials == &plain, 1);
+        release(&whole);
+        release(&m);
+    }
+    struct model m = {.arena = arena_of(1 << 16)};
+    assert_int_equal(model_lathe_arc(&m.arena, &m.mesh, can, CAN_POINTS, 12, 12, &plain), PH_ERR_INVAL);
+    assert_int_equal(model_lathe_arc(&m.arena, &m.mesh, can, CAN_POINTS, 12, 0, &plain), PH_ERR_INVAL);
+    release(&m);
+}
+
 static void a_box_is_closed_and_has_its_volume(void **state)
 {
     (void)state;
@@ -134,6 +171,7 @@ int main(void)
         cmocka_unit_test(a_lathed_can_has_the_volume_of_its_prism),
         cmocka_unit_test(a_lathed_can_s_normals_are_those_of_lid_and_side),
         cmocka_unit_test(stripes_share_the_sides_evenly_and_alternate),
+        cmocka_unit_test(an_arc_of_a_can_is_a_part_of_it),
         cmocka_unit_test(a_box_is_closed_and_has_its_volume),
         cmocka_unit_test(a_floor_is_a_chessboard_that_faces_up),
         cmocka_unit_test(what_is_out_of_range_or_too_large_is_refused),
