@@ -11,7 +11,7 @@
 #define WRAP_REST    ((uint32_t)((1ULL << 32) % ANIMATION_FRAMES_A_SECOND))
 
 #define STAGE_BYTES_32 40
-#define MESH_BYTES_32  48
+#define MESH_BYTES_32  52
 _Static_assert(sizeof(void *) > 4 || sizeof(struct animation_stage) == STAGE_BYTES_32, "STAGE_BYTES_32 is wrong");
 _Static_assert(sizeof(void *) > 4 || sizeof(struct ph_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
 

@@ -17,7 +17,7 @@ struct drawn {
     struct ph_texture texture, alphas;
 };
 
-#define MESH_BYTES_32  48
+#define MESH_BYTES_32  52
 #define DRAWN_BYTES_32 76
 _Static_assert(sizeof(void *) > 4 || sizeof(struct ph_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
 _Static_assert(sizeof(void *) > 4 || sizeof(struct drawn) == DRAWN_BYTES_32, "DRAWN_BYTES_32 is wrong");

@@ -143,6 +143,18 @@ struct ph_part {
     uint16_t material;     /* index into mesh->materials */
 };
 
+/* What passes over meshes whose bounds lie off the picture: an address, for struct ph_sphere. */
+struct ph_culling;
+extern const struct ph_culling ph_cull_spheres;
+#define PH_CULL_SPHERES (&ph_cull_spheres)
+
+/* A sphere around vertices, in the coordinates of their mesh, Q16.16. */
+struct ph_sphere {
+    struct fx_vec3 centre;
+    fx_t radius;                      /* 0 or less: there is no sphere */
+    const struct ph_culling *culling; /* PH_CULL_SPHERES: a program links the test if it names it. NULL: no test */
+};
+
 /* Triangles are counter-clockwise seen from outside. There are at most 65536 vertices. All data may lie in flash.
  * Until the last band is drawn these must stay: uvs, and what materials point to (ramps, textures with their texels,
  * blends with their alphas). All else, materials too, is copied where it is needed, and may change after the call.
@@ -162,7 +174,26 @@ struct ph_mesh {
      * GOURAUD. It is interpolated on the screen, also if it is UNLIT. NULL without. In linear-w a triangle has the
      * colour of its first vertex. */
     const uint16_t *colours;
+    /* Optional: what is off the picture is passed over before any vertex is looked at. bounds[0] is a sphere around all
+     * corners; with several parts, bounds[1 + i] is one around those of part i. ph_mesh_bounds() makes them. The
+     * picture is the same without bounds, unless a corner lies outside of them: in a checked build ph_draw_mesh()
+     * refuses such a mesh. */
+    const struct ph_sphere *bounds;
 };
+
+/* How many spheres a mesh of so many parts has. */
+#define PH_BOUNDS(part_count) ((part_count) > 1 ? 1 + (part_count) : 1)
+
+/*
+ * Computes the bounds of a mesh into PH_BOUNDS(mesh->part_count) spheres, and makes them those of the mesh. A centre is
+ * the middle of the box around the vertices, whatever their positions are, and a radius the distance of the farthest
+ * one, rounded up; where it does not fit Q16.16 it is 0. A part without triangles has none; one of PH_SHADE_WIRE has
+ * the sphere of the mesh.
+ * Errors: PH_ERR_INVAL: bounds is NULL, or the mesh is one that ph_draw_mesh refuses; it stays as it was.
+ * Cost:   a product of 64 bits for each coordinate, of the mesh and of each corner of its parts: for a mesh whose
+ *         vertices stay, call it once.
+ */
+int ph_mesh_bounds(struct ph_mesh *mesh, struct ph_sphere *bounds);
 
 /* A kind of light: these names are addresses, and a program links what lights by those that its lights name. */
 struct ph_light_kind;
@@ -268,6 +299,8 @@ struct ph_stats {
     uint32_t vertices;          /* transformed */
     uint32_t triangles_in;      /* of all meshes drawn */
     uint32_t triangles_culled;  /* of these: back faces, wholly outside, without area or without a pixel centre */
+    uint32_t meshes_culled;     /* calls that looked at no vertex, because the bounds of the mesh are off the picture */
+    uint32_t parts_culled;      /* parts of other meshes of which the same is true; triangles_culled counts theirs */
     uint32_t triangles_clipped; /* of these: crossed a clip plane */
     uint32_t triangles_drawn;   /* listed; a clipped or curved one may give several, a line counts as one */
     uint32_t triangles_dropped; /* left out: did not fit the budgets */
@@ -469,6 +502,7 @@ struct ph_renderer {
     struct ph_lens lens;
     struct ph_projection projection; /* as given; lens is made from it */
     struct ph_xform view;            /* world to view */
+    uint32_t view_norm;              /* for bounds.c: by how much view can make a vector longer; 0: not known yet */
     struct ph_scene_light light;
     struct ph_list list;
     struct ph_triangle *carried, *slots; /* triangles that continue in the next band; slots that are unused again */
@@ -528,10 +562,10 @@ int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
  * Draws a mesh. to_world places it: a rigid transform with a uniform scale below 2.
  * Errors: PH_ERR_INVAL: to_world is NULL, or so is something that a count of the mesh says is there. Built with
  *         -DPH_CHECKED also: a triangle or an edge names a vertex, or a part triangles or a material, that are not
- *         there. Nothing is drawn.
+ *         there, or a corner lies outside of the bounds. Nothing is drawn.
  *         PH_ERR_NOMEM: the mesh has more vertices than the vertex budget; it is left out and counted. (If other meshes
- *         have taken the room, it is counted, too, but that is no error.) PH_ERR_STATE: no frame has begun, or its
- *         bands are made; nothing is drawn.
+ *         have taken the room, it is counted, too, but that is no error. A mesh whose bounds are off the picture needs
+ *         none.) PH_ERR_STATE: no frame has begun, or its bands are made; nothing is drawn.
  */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 

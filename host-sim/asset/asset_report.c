@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 /* Bytes beside the arrays, on a 32-bit target. */
-#define MESH_BYTES     48
+#define MESH_BYTES     52
 #define MATERIAL_BYTES 36
 #define PART_BYTES     12
 #define BLEND_BYTES    12

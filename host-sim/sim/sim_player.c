@@ -128,11 +128,12 @@ void sim_player_print_stats(const struct sim_player *p, uint32_t frame)
             (unsigned)frame, (unsigned)s->vertices, (unsigned)s->triangles_in, (unsigned)s->triangles_culled,
             (unsigned)s->triangles_clipped, (unsigned)s->triangles_drawn, (unsigned)s->triangles_dropped);
     fprintf(stderr,
-            "vertices dropped %u; fragments %u, depth %s; wire %llu bytes, writes %u, bus %.0f us at %u Hz, %.1f "
+            "vertices dropped %u, culled whole %u meshes and %u parts; fragments %u, depth %s; wire %llu bytes, writes "
+            "%u, bus %.0f us at %u Hz, %.1f "
             "frames/s\n",
-            (unsigned)s->vertices_dropped, (unsigned)s->fragments, depth_name(s, depth),
-            (unsigned long long)(now.bytes - p->counters.bytes), (unsigned)(now.writes - p->counters.writes), bus_us,
-            (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
+            (unsigned)s->vertices_dropped, (unsigned)s->meshes_culled, (unsigned)s->parts_culled,
+            (unsigned)s->fragments, depth_name(s, depth), (unsigned long long)(now.bytes - p->counters.bytes),
+            (unsigned)(now.writes - p->counters.writes), bus_us, (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
 }
 
 void sim_player_print_json(const struct sim_player *p, uint32_t frame)
@@ -144,10 +145,11 @@ void sim_player_print_json(const struct sim_player *p, uint32_t frame)
     fprintf(
         stderr,
         "{\"frame\": %u, \"vertices\": %u, \"triangles_in\": %u, \"triangles_culled\": %u, \"triangles_clipped\": %u, "
-        "\"triangles_drawn\": %u, \"triangles_dropped\": %u, \"vertices_dropped\": %u, ",
+        "\"triangles_drawn\": %u, \"triangles_dropped\": %u, \"vertices_dropped\": %u, \"meshes_culled\": %u, "
+        "\"parts_culled\": %u, ",
         (unsigned)frame, (unsigned)s->vertices, (unsigned)s->triangles_in, (unsigned)s->triangles_culled,
         (unsigned)s->triangles_clipped, (unsigned)s->triangles_drawn, (unsigned)s->triangles_dropped,
-        (unsigned)s->vertices_dropped);
+        (unsigned)s->vertices_dropped, (unsigned)s->meshes_culled, (unsigned)s->parts_culled);
     fprintf(stderr,
             "\"fragments\": %u, \"depth\": \"%s\", \"wire_bytes\": %llu, \"writes\": %u, \"bus_us\": %.0f, "
             "\"clock_hz\": %u, "

@@ -11,6 +11,8 @@
  * - visible, hidden: X full-screen quads in bands of 16 lines, each in front of the last or behind it
  * - draws, materials, keyed: X small quads that are drawn one by one, with one material, with as many, or with a keyed
  *   texture, in bands of 16 lines
+ * - outside: the quads of draws, with bounds, off the picture: a quarter of them each beyond the left side, above,
+ *   behind the camera and beyond the far plane
  * - band: the torus of 4096 triangles in bands of X lines
  * - pixels: the same torus in pictures of 128x64 .. 320x480 = X pixels
  */
@@ -201,7 +203,7 @@ static void draws(const struct ph_material *one)
     static const struct ph_texture texture = {.texels = texels, .log2_width = 3, .log2_height = 3};
     static const struct ph_blend key = {.kind = PH_BLEND_KEY, .draw = &ph_blending, .key = 0xf81f};
     static const struct ph_material keyed = {.shading = PH_SHADE_TEXTURE, .texture = &texture, .blend = &key};
-    static struct ph_xform places[DRAWS_LAST];
+    static struct ph_xform places[DRAWS_LAST], off[DRAWS_LAST];
     static struct ph_material materials[DRAWS_LAST];
     const struct picture bands = {320, 240, 16};
     const struct ph_mesh quad = {.positions = corners,
@@ -211,17 +213,25 @@ static void draws(const struct ph_material *one)
                                  .triangle_count = 2,
                                  .parts = &part,
                                  .part_count = 1};
-    struct drawing all[3] = {{quad, places, NULL, 0}, {quad, places, materials, 0}, {quad, places, NULL, 0}};
-    static const char *const kinds[3] = {"draws", "materials", "keyed"};
+    static struct ph_sphere bounds;
+    struct drawing all[4] = {
+        {quad, places, NULL, 0}, {quad, places, materials, 0}, {quad, places, NULL, 0}, {quad, off, NULL, 0}};
+    static const char *const kinds[4] = {"draws", "materials", "keyed", "outside"};
     all[0].mesh.materials = one;
     all[2].mesh.materials = &keyed;
+    all[3].mesh.materials = one;
+    ph_mesh_bounds(&all[3].mesh, &bounds);
     for (uint32_t i = 0; i < DRAWS_LAST; i++) {
         places[i] = ph_xform_identity;
         places[i].t = (struct fx_vec3){(fx_t)(i % 32 * 20000) - 310000, (fx_t)(i / 32 * 14000) - 220000, FX_INT(-8)};
+        static const struct fx_vec3 away[4] = {
+            {-FX_INT(20), 0, 0}, {0, FX_INT(20), 0}, {0, 0, FX_INT(16)}, {0, 0, -FX_INT(40)}};
+        off[i] = places[i];
+        off[i].t = fx_vec3_add_sat(places[i].t, away[i % 4]);
         materials[i] = *one;
         materials[i].colour = (uint16_t)i;
     }
-    for (unsigned k = 0; k < 3; k++) {
+    for (unsigned k = 0; k < 4; k++) {
         for (uint32_t count = 64; count <= DRAWS_LAST; count *= 2) {
             all[k].count = count;
             measure_drawing(kinds[k], count, &bands, &all[k]);

@@ -225,6 +225,7 @@ struct content {
     struct ph_texture textures[PARTS], alphas[PARTS];
     struct ph_blend blends[PARTS];
     uint16_t ramp[PH_RAMP_SIZE], colours[VERTICES];
+    struct ph_sphere bounds[PH_BOUNDS(PARTS)];
     struct ph_mesh mesh;
 };
 
@@ -455,6 +456,9 @@ static void any_content(struct content *c)
                                .triangle_count = TRIANGLES,
                                .edge_count = EDGES,
                                .part_count = PARTS};
+    if (below(2) && ph_mesh_bounds(&c->mesh, c->bounds) != PH_OK) {
+        fail("a mesh has no bounds");
+    }
 }
 
 /* ---- a frame ------------------------------------------------------------------------------------------------- */

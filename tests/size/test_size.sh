@@ -61,6 +61,13 @@ a_call_is_seen() {
 }
 check "a_call_that_pulls_a_feature_in_is_seen" a_call_is_seen
 
+# A program whose mesh has no bounds does not link what tests them, and one that asks for them does.
+sed 's|^    const int status|    struct ph_mesh mesh = {.part_count = 0};\n    struct ph_sphere bounds;\n    ph_mesh_bounds(\&mesh, \&bounds);\n&|' tests/size/unlit.c >"$dir/bounds.c"
+bounds_are_linked_where_they_are_named() {
+    bytes_of tests/size/everything.c >/dev/null && ! links ph_cull_spheres && bytes_of -Itests/size "$dir/bounds.c" >/dev/null && links ph_cull_spheres
+}
+check "bounds_are_linked_where_they_are_named" bounds_are_linked_where_they_are_named
+
 # The user's file, the library's modules and what libgcc does have names, not those of archives and of gcc's objects.
 rows_have_names() {
     tests/tools/program_size.sh tests/size/everything.c >"$dir/rows" && ! grep '\.[ao]\b\|/' "$dir/rows" || return 1

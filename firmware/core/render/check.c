@@ -2,6 +2,7 @@
 #include "check.h"
 
 #include "shading.h"
+#include "sphere.h"
 
 static bool has_stray_index(const uint16_t *index, uint64_t n, uint32_t vertex_count)
 {
@@ -28,6 +29,42 @@ static bool has_stray_part(const struct ph_mesh *mesh)
     return false;
 }
 
+/* Whether one of n corners lies outside of a sphere. */
+static bool has_stray_corner(const struct ph_mesh *mesh, const uint16_t *index, uint64_t n,
+                             const struct ph_sphere *sphere)
+{
+    for (uint64_t i = 0; sphere->radius > 0 && i < n; i++) {
+        if (ph_distance2(&sphere->centre, &mesh->positions[index[i]]) >
+            fx_mul_wide_u((uint32_t)sphere->radius, (uint32_t)sphere->radius)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Whether a triangle or an edge leaves the bounds of the mesh or of its part. */
+static bool has_stray_bounds(const struct ph_mesh *mesh)
+{
+    if (mesh->bounds == NULL) {
+        return false;
+    }
+    for (uint32_t i = 0; i < mesh->part_count; i++) {
+        const struct ph_part *const part = &mesh->parts[i];
+        const bool wire = ph_is_wire(&mesh->materials[part->material]);
+        const uint64_t n = wire ? 2 * (uint64_t)mesh->edge_count : 3 * (uint64_t)part->count;
+        if (n == 0) { /* there may be no array */
+            continue;
+        }
+        const uint16_t *const index =
+            wire ? (const uint16_t *)mesh->edges : (const uint16_t *)&mesh->triangles[part->first];
+        if (has_stray_corner(mesh, index, n, mesh->bounds) ||
+            (mesh->part_count > 1 && has_stray_corner(mesh, index, n, &mesh->bounds[1 + i]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool ph_check_mesh(const struct ph_mesh *mesh)
 {
     if (mesh == NULL || (mesh->vertex_count > 0 && mesh->positions == NULL) ||
@@ -39,5 +76,6 @@ bool ph_check_mesh(const struct ph_mesh *mesh)
            (!has_stray_part(mesh) &&
             !has_stray_index((const uint16_t *)mesh->triangles, 3 * (uint64_t)mesh->triangle_count,
                              mesh->vertex_count) &&
-            !has_stray_index((const uint16_t *)mesh->edges, 2 * (uint64_t)mesh->edge_count, mesh->vertex_count));
+            !has_stray_index((const uint16_t *)mesh->edges, 2 * (uint64_t)mesh->edge_count, mesh->vertex_count) &&
+            !has_stray_bounds(mesh));
 }

@@ -5,6 +5,7 @@ static const struct ph_curved_lens fisheye = {.set_lens = ph_fisheye_lens,
                                               .place_curved = ph_fisheye_vertex,
                                               .is_straight = ph_fisheye_is_small,
                                               .misses_picture = ph_fisheye_misses,
+                                              .misses_sphere = ph_fisheye_misses_sphere,
                                               .draw_curved = ph_fisheye_triangle,
                                               .draw_curved_line = ph_fisheye_line};
 

@@ -85,6 +85,7 @@ static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const 
     r->list.lens = PH_NONE;
     r->projection = *projection;
     r->view = *view;
+    r->view_norm = 0;
     return PH_OK;
 }
 

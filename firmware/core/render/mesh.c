@@ -2,6 +2,7 @@
 /* Kits on armv6m: -O3. */
 #include "mesh.h"
 
+#include "bounds.h"
 #include "check.h"
 #include "clipped.h"
 #include "colour.h"
@@ -232,6 +233,10 @@ PH_TIER(mesh) int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh
     if (!ph_check_mesh(mesh) || to_world == NULL) {
         return PH_ERR_INVAL;
     }
+    const struct ph_culling *const culling = mesh->bounds != NULL ? mesh->bounds->culling : NULL;
+    if (culling != NULL && culling->cull_mesh(r, mesh, to_world)) {
+        return PH_OK;
+    }
     const struct ph_mark mark = ph_list_mark(r);
     const uint32_t n = mesh->vertex_count, place = n - 1 < r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;
     if (place == PH_NONE) {
@@ -250,7 +255,9 @@ PH_TIER(mesh) int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh
     c.codes = ph_transform_mesh(r, &matrix, mesh, c.vertices);
     r->stats.vertices += n;
     for (uint32_t i = 0; i < mesh->part_count; i++) {
-        draw_part(&c, &mesh->parts[i], to_world);
+        if (culling == NULL || !culling->cull_part(r, mesh, i, to_world)) {
+            draw_part(&c, &mesh->parts[i], to_world);
+        }
     }
     ph_list_rewind(r, &mark);
     r->stats.triangles_drawn = ph_ref_count(r);
