@@ -15,10 +15,11 @@ struct drawn {
     struct ph_material material;
     struct ph_blend blend;
     struct ph_texture texture, alphas;
+    struct ph_sphere bounds; /* unless it moves */
 };
 
 #define MESH_BYTES_32  52
-#define DRAWN_BYTES_32 76
+#define DRAWN_BYTES_32 96
 _Static_assert(sizeof(void *) > 4 || sizeof(struct ph_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
 _Static_assert(sizeof(void *) > 4 || sizeof(struct drawn) == DRAWN_BYTES_32, "DRAWN_BYTES_32 is wrong");
 
@@ -258,6 +259,9 @@ struct ph_mesh *scene_file_meshes(const void *bytes, struct demo_arena *arena)
                                      .vertex_count = m->vertex_count,
                                      .triangle_count = m->triangle_count,
                                      .part_count = 1};
+        if (m->moving == 0) {
+            ph_mesh_bounds(&meshes[i], &drawn[i].bounds);
+        }
     }
     return drawn ? meshes : NULL;
 }

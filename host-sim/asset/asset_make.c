@@ -185,6 +185,13 @@ static void count_mesh(struct asset *asset, const struct ph_mesh *mesh)
     asset->fetched += asset_fetches(mesh);
 }
 
+/* Gives a mesh the sphere around its vertices. False: the arena is full. */
+static bool set_bounds(struct demo_arena *arena, struct ph_mesh *mesh)
+{
+    struct ph_sphere *const bounds = demo_alloc(arena, sizeof *bounds);
+    return bounds != NULL && ph_mesh_bounds(mesh, bounds) == PH_OK;
+}
+
 /* Adds what remains of mesh number m, `n` indices, to the asset. */
 static bool make_mesh(struct asset *asset, struct demo_arena *arena, const struct model *from, uint32_t m,
                       const unsigned *indices, size_t n, bool has_normals, unsigned *sources)
@@ -196,7 +203,8 @@ static bool make_mesh(struct asset *asset, struct demo_arena *arena, const struc
     const bool is_done =
         (has_normals ? order_mesh : remake_mesh)(arena, mesh, indices, n, moving != NULL ? sources : NULL, material,
                                                  to) &&
-        (moving == NULL || asset_motion_add(arena, moving, sources, &asset->model, asset->model.mesh_count));
+        (moving == NULL ? set_bounds(arena, to)
+                        : asset_motion_add(arena, moving, sources, &asset->model, asset->model.mesh_count));
     if (is_done) {
         count_mesh(asset, to);
     }

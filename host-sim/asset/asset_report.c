@@ -9,6 +9,7 @@
 
 /* Bytes beside the arrays, on a 32-bit target. */
 #define MESH_BYTES     52
+#define SPHERE_BYTES   20
 #define MATERIAL_BYTES 36
 #define PART_BYTES     12
 #define BLEND_BYTES    12
@@ -60,7 +61,8 @@ struct asset_sizes asset_sizes(const struct asset *asset)
         s.uvs += mesh->uvs != NULL ? 8 * (uint64_t)mesh->vertex_count : 0;
         s.colours += mesh->colours != NULL ? 2 * (uint64_t)mesh->vertex_count : 0;
         s.triangles += 6 * (uint64_t)mesh->triangle_count;
-        s.tables += MESH_BYTES + MATERIAL_BYTES + PART_BYTES + (asset->first_ramps[m] == m ? RAMP_BYTES : 0) +
+        s.tables += MESH_BYTES + (mesh->bounds != NULL ? SPHERE_BYTES : 0) + MATERIAL_BYTES + PART_BYTES +
+                    (asset->first_ramps[m] == m ? RAMP_BYTES : 0) +
                     (mesh->materials->blend != NULL && asset_first_blend(model, m) == m ? BLEND_BYTES : 0);
     }
     return s;

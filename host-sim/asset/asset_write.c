@@ -45,6 +45,13 @@ static void put_positions(FILE *file, const struct ph_mesh *mesh, uint32_t m)
     fputs("\n};\n", file);
 }
 
+static void put_bounds(FILE *file, const struct ph_sphere *sphere, uint32_t m)
+{
+    fprintf(file, "\nstatic const struct ph_sphere bounds_%u = {.centre = ", (unsigned)m);
+    asset_put_vec3(file, sphere->centre);
+    fprintf(file, ", .radius = %" PRId32 ", .culling = PH_CULL_SPHERES};\n", sphere->radius);
+}
+
 static void put_normals(FILE *file, const struct ph_mesh *mesh, uint32_t m)
 {
     fprintf(file, "\nstatic const int16_t normals_%u[][3] = {", (unsigned)m);
@@ -166,6 +173,9 @@ static void put_mesh_data(FILE *file, const struct asset *asset, uint32_t m)
     if (model_moving(model, m) == NULL) {
         put_positions(file, mesh, m);
     }
+    if (mesh->bounds != NULL) {
+        put_bounds(file, mesh->bounds, m);
+    }
     put_normals(file, mesh, m);
     if (mesh->uvs != NULL) {
         put_uvs(file, mesh, m);
@@ -200,6 +210,9 @@ static void put_meshes(FILE *file, const struct model *model)
                 n, n, n, n);
         if (model_moving(model, m) == NULL) {
             fprintf(file, "     .positions = positions_%u,\n", n);
+        }
+        if (mesh->bounds != NULL) {
+            fprintf(file, "     .bounds = &bounds_%u,\n", n);
         }
         if (mesh->uvs != NULL) {
             fprintf(file, "     .uvs = uvs_%u,\n", n);

@@ -1,6 +1,7 @@
 /* pinhole-asset: models as const data for the flash of a display kit. See asset.h. */
 #define _XOPEN_SOURCE 700 /* open_memstream, isatty */
 
+#include "asset_check.h"
 #include "asset_fit.h"
 #include "asset_options.h"
 #include "complain.h"
@@ -103,7 +104,7 @@ int main(int argc, char *argv[])
     } else if (options.out != NULL && strcmp(options.out, "-") == 0 && isatty(STDOUT_FILENO)) {
         status = complain_usage("-o -: stdout is a terminal; pipe it into a program, or use -o FILE.c");
     } else {
-        status = run(&options);
+        status = options.check ? asset_check(options.goal.model) : run(&options);
     }
     return complain_exit(status);
 }

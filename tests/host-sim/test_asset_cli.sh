@@ -57,8 +57,18 @@ frames_move() { # a driver that draws nothing would pass otherwise
 }
 
 other_data_is_seen() {
-    "$asset" "$dir/sphere.obj" -o "$dir/o.c" --max-triangles 300 && sed -i '/positions_0/,/^};/ s/{\([0-9]\)\([0-9]*\),/{1\2,/' "$dir/o.c" && compile "$dir/o.c" "$dir/o" || return 1
+    "$asset" "$dir/sphere.obj" -o "$dir/o.c" --max-triangles 300 && sed -i '/positions_0/,/^};/ s/{\([0-9]\)\([0-9]*\),/{1\2,/; /bounds_0/d' "$dir/o.c" && compile "$dir/o.c" "$dir/o" || return 1
     ! "$dir/o" pico-display 4 32 - "$dir/sphere.obj" 300 8 own >/dev/null 2>"$dir/said" && grep -q 'frame 0 differs' "$dir/said"
+}
+
+bounds_that_lie_are_found() { # a coordinate, the radius, the centre
+    local change
+    "$asset" "$dir/sphere.obj" -o "$dir/bounds.c" && "$asset" --check "$dir/bounds.c" && "$asset" "$dir/sphere.obj" -o "$dir/bounds.phs" && "$asset" --check "$dir/bounds.phs" || return 1
+    for change in '/positions_0/,/^};/ s/{-*\([0-9]*\), /{1\1, /' '/bounds_0 = / s/radius = [0-9]*/radius = 60000/' '/bounds_0 = / s/centre = {/&9/'; do
+        sed "$change" "$dir/bounds.c" >"$dir/lie.c" && ! "$asset" --check "$dir/lie.c" 2>"$dir/said" && grep -q 'lie.c: vertex [0-9]* of mesh 0 lies outside of its bounds' "$dir/said" || { echo "$change" && cat "$dir/said" && return 1; }
+    done
+    echo 'int main(void) { return 0; }' >"$dir/other.c" && ! "$asset" --check "$dir/other.c" 2>"$dir/said" && grep -q 'other.c: has no bounds' "$dir/said" || return 1
+    cp "$dir/bounds.phs" "$dir/lie.phs" && printf x | dd of="$dir/lie.phs" bs=1 seek=500 conv=notrunc 2>/dev/null && ! "$asset" --check "$dir/lie.phs" 2>"$dir/said" && grep -q checksum "$dir/said"
 }
 
 close_to_the_model() { # simplified to a quarter: the outline differs in at most 1 % of the picture
@@ -266,6 +276,7 @@ an_image_too_large_is_not_made() {
 
 check "a triangle with two corners in one place is dropped, a model without an area refused" no_area_is_dropped_or_refused
 check "the file, the C scene and the binary scene are one picture" the_three_forms_are_one_picture
+check "bounds that lie are found" bounds_that_lie_are_found
 check "long work shows a bar on a terminal" bar_is_for_terminals
 check "the simulator shows what the kit has room for" the_simulator_shows_what_the_kit_has_room_for
 check "compiled_scene_draws_the_simulators_bytes_and_those_of_the_model" same_frames "$scene" 4294967295 pico-display waveshare-pico-lcd-1in3 lm3s6965evb sim-ili9488

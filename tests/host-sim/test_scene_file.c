@@ -145,6 +145,9 @@ static void play(const uint8_t *bytes)
     assert_non_null(arena.base);
     const struct ph_mesh *meshes = scene_file_meshes(bytes, &arena);
     assert_non_null(meshes);
+    for (uint32_t m = 0; m < head->mesh_count; m++) {
+        assert_true((scene_file_table(head)[m].moving != 0) == (meshes[m].bounds == NULL));
+    }
     if (head->motion != 0) {
         const struct animation *animation = scene_motion_make(head, &arena);
         assert_non_null(animation);

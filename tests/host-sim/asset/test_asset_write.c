@@ -183,6 +183,19 @@ static void meshes_name_their_arrays(void **state)
     expect_once("     .triangle_count = 1,\n     .part_count = 1},\n};\n");
 }
 
+static void bounds_are_those_of_the_mesh(void **state)
+{
+    (void)state;
+    struct asset *const asset = made_asset(false);
+    const struct ph_sphere bounds = {{7, INT32_MIN, -9}, 65537, PH_CULL_SPHERES};
+    asset->model.meshes[2].bounds = &bounds;
+    write_asset(asset);
+    expect_once("static const struct ph_sphere bounds_2 = {.centre = {7, INT32_MIN, -9}, .radius = 65537, .culling = "
+                "PH_CULL_SPHERES};\n");
+    expect_once("     .positions = positions_2,\n     .bounds = &bounds_2,\n");
+    expect_none("bounds_1");
+}
+
 static void a_mesh_that_moves_has_no_positions(void **state)
 {
     (void)state;
@@ -258,6 +271,7 @@ int main(void)
         cmocka_unit_test_teardown(materials_name_what_they_share, drop),
         cmocka_unit_test_teardown(textures_and_blends_are_structs, drop),
         cmocka_unit_test_teardown(meshes_name_their_arrays, drop),
+        cmocka_unit_test_teardown(bounds_are_those_of_the_mesh, drop),
         cmocka_unit_test_teardown(a_mesh_that_moves_has_no_positions, drop),
         cmocka_unit_test_teardown(a_camera_is_its_matrix_and_lens, drop),
         cmocka_unit_test_teardown(the_demo_says_what_it_needs, drop),
