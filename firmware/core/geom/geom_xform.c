@@ -15,11 +15,8 @@ static inline int64_t product(int32_t a, int32_t b)
 
 /* A row in Q2.30 times (x, y, z), plus c, rounded once: as geom_sum_rounded, but without a loop. The three products fit
  * 64 bits together if x, y and z are above -2^30 and not above 2^30: the signs of 2^30 - x and so on say so. */
-PH_TIER(mesh) static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
+PH_TIER(mesh) static int32_t wide_row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
-    if (!FX_MULTIPLIES && geom_row_is_near(row, x, y, z, c)) {
-        return geom_near_row(row, x, y, z, c);
-    }
     const int64_t px = product(row[0], x), py = product(row[1], y), pz = product(row[2], z);
     const uint32_t one = FX_Q30_ONE, below = one - 1, half = one / 2;
     if (((one - (uint32_t)x) | (one - (uint32_t)y) | (one - (uint32_t)z)) >> 31 == 0) {
@@ -27,6 +24,13 @@ PH_TIER(mesh) static int32_t row_times(const int32_t row[3], int32_t x, int32_t 
     }
     const uint32_t low = ((uint32_t)px & below) + ((uint32_t)py & below) + ((uint32_t)pz & below) + half;
     return fx_sat64((px >> 30) + (py >> 30) + (pz >> 30) + (low >> 30) + c);
+}
+
+/* wide_row_times, by products of 32 bits where that is exact. */
+PH_TIER(mesh) static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
+{
+    return !FX_MULTIPLIES && geom_row_is_near(row, x, y, z, c) ? geom_near_row(row, x, y, z, c)
+                                                               : wide_row_times(row, x, y, z, c);
 }
 
 struct ph_xform ph_xform_rotate_x(uint32_t turn32)
@@ -99,7 +103,7 @@ PH_TIER(figure) struct ph_xform ph_xform_mul(const struct ph_xform *a, const str
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             m.r[i][j] = scales ? fx_sat64((fx_mul_wide(a->r[i][j], b->r[j][j]) + FX_Q30_ONE / 2) >> 30)
-                               : row_times(a->r[i], b->r[0][j], b->r[1][j], b->r[2][j], 0);
+                               : wide_row_times(a->r[i], b->r[0][j], b->r[1][j], b->r[2][j], 0);
         }
     }
     m.t = ph_xform_point(a, b->t);

@@ -70,17 +70,21 @@ bool ph_light_has_colour(const struct ph_scene_light *light)
     return any != 0;
 }
 
-/* What all lights of a mesh and a material share. */
+/* What all lights of a mesh and a material share; to_viewer is set where the material has highlights. */
 static void prepare_material(struct ph_local_lights *local, const struct ph_renderer *r,
                              const struct ph_xform *to_world, const struct ph_material *material)
 {
     const struct fx_vec3 viewer = {r->view.r[2][0], r->view.r[2][1], r->view.r[2][2]};
     local->ambient = (clamp_q14(r->light.ambient, FX_ONE) * clamp_q14(material->ambient, FX_ONE)) >> 14;
     local->shininess_log2 = material->shininess_log2 < 7 ? material->shininess_log2 : 7;
-    local->scale =
-        (int32_t)(((uint32_t)PH_LIGHT_SPAN << 14) / (16384 + (uint32_t)clamp_q14(material->specular, FX_ONE)));
-    local->limit = (int32_t)(((uint32_t)PH_LIGHT_SPAN << 14) / (uint32_t)local->scale);
-    ph_light_to_local(to_world, viewer, local->to_viewer);
+    const uint32_t specular = (uint32_t)clamp_q14(material->specular, FX_ONE), span = (uint32_t)PH_LIGHT_SPAN << 14;
+    local->scale = PH_LIGHT_SPAN;
+    local->limit = 16384;
+    if (specular > 0) {
+        local->scale = (int32_t)(span / (16384 + specular));
+        local->limit = (int32_t)(span / (uint32_t)local->scale);
+        ph_light_to_local(to_world, viewer, local->to_viewer);
+    }
 }
 
 void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r, const struct ph_xform *to_world,
@@ -101,7 +105,9 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
             l->kind->place_light(l, light, to_world);
         } else {
             ph_light_to_local(to_world, light->to_light_q30, l->to_light);
-            half_of(l->to_light, local->to_viewer, l->half);
+            if (specular > 0) {
+                half_of(l->to_light, local->to_viewer, l->half);
+            }
         }
     }
     local->simple = scene->count == 1 && local->light[0].kind == NULL && local->light[0].specular <= 0;

@@ -337,8 +337,13 @@ void ph_list_end(struct ph_renderer *r)
 PH_TIER(few) struct ph_mark ph_list_mark(struct ph_renderer *r)
 {
     place_lens(r);
-    const uint32_t *const used = r->list.used;
-    struct ph_mark mark = {{used[OWN], used[VERTICES], used[TRIANGLES]}, r->list.last, ph_ref_count(r), r->rows, {0}};
+    struct ph_mark mark;
+    for (int piece = 0; piece < 3; piece++) {
+        mark.used[piece] = r->list.used[piece];
+    }
+    mark.last = r->list.last;
+    mark.count = ph_ref_count(r);
+    mark.rows = r->rows;
     if (mark.last != PH_NONE) {
         mark.draw = *draw_at(r, mark.last);
     }

@@ -79,7 +79,7 @@ uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n);
  * memory that was taken in between if nothing was listed. */
 struct ph_mark {
     uint32_t used[3], last, count, rows;
-    struct ph_draw draw; /* the last one: without references it gives its room to the next one */
+    struct ph_draw draw; /* the last one, if there is any: without references it gives its room to the next one */
 };
 
 struct ph_mark ph_list_mark(struct ph_renderer *r);

@@ -251,7 +251,7 @@ PH_TIER(mesh) int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh
     c.vertices = ph_at(r, place);
     c.lit_as = NULL;
     c.mixed = false;
-    c.draw = (struct ph_draw){.base = place};
+    c.draw.base = place;
     c.codes = ph_transform_mesh(r, &matrix, mesh, c.vertices);
     r->stats.vertices += n;
     for (uint32_t i = 0; i < mesh->part_count; i++) {

@@ -10,25 +10,26 @@
 #include "fisheye.h"
 #include "vertices.h"
 
-/* One row of the clip matrix: row `from` of the view times `scale`. */
+/* Row 0 or 1 of the clip matrix: that of the view times `scale`. */
 PH_TIER(mesh)
-static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform *object_to_view, int from,
-                     int32_t scale)
+static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform *object_to_view, int32_t scale)
 {
     for (int j = 0; j < 3; j++) {
-        out->m[row][j] = (int32_t)((fx_mul_wide(object_to_view->r[from][j], scale) + ((int64_t)1 << 31)) >> 32);
+        out->m[row][j] = (int32_t)((fx_mul_wide(object_to_view->r[row][j], scale) + ((int64_t)1 << 31)) >> 32);
     }
-    const struct fx_vec3 t = object_to_view->t;
-    const int32_t along = from == 0 ? t.x : from == 1 ? t.y : t.z;
+    const int32_t along = row == 0 ? object_to_view->t.x : object_to_view->t.y;
     out->t[row] = (int64_t)fx_sat64((fx_mul_wide(along, scale) + (1 << 29)) >> 30) * (1 << 28) + (1 << 27);
 }
 
 PH_TIER(mesh) struct ph_clip_matrix ph_clip_matrix(const struct ph_lens *lens, const struct ph_xform *object_to_view)
 {
     struct ph_clip_matrix m;
-    fold_row(&m, 0, object_to_view, 0, lens->focal_x);
-    fold_row(&m, 1, object_to_view, 1, -lens->focal_y);
-    fold_row(&m, 2, object_to_view, 2, -FX_Q30_ONE);
+    fold_row(&m, 0, object_to_view, lens->focal_x);
+    fold_row(&m, 1, object_to_view, -lens->focal_y);
+    for (int j = 0; j < 3; j++) { /* the scale of row 2 is -1: Q2.30 becomes Q4.28, a tie rounded upwards */
+        m.m[2][j] = -(int32_t)(((int64_t)object_to_view->r[2][j] + 1) >> 2);
+    }
+    m.t[2] = (int64_t)fx_sat64(-(int64_t)object_to_view->t.z) * (1 << 28) + (1 << 27);
     return m;
 }
 

@@ -13,7 +13,9 @@ void ph_small_light_prepare(struct ph_local_lights *local, const struct ph_rende
     l->diffuse = (clamp_q14(material->diffuse, FX_ONE) * intensity) >> 14;
     l->specular = (clamp_q14(material->specular, FX_ONE) * intensity) >> 14;
     ph_light_to_local(to_world, light->to_light_q30, l->to_light);
-    half_of(l->to_light, local->to_viewer, l->half);
+    if (l->specular > 0) {
+        half_of(l->to_light, local->to_viewer, l->half);
+    }
 }
 
 uint16_t ph_small_light_vertex(const struct ph_local_lights *local, const int16_t normal[3])
