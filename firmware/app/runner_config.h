@@ -8,10 +8,10 @@
 
 struct runner_config {
     const struct board *board;
-    uint8_t rotation;        /* enum panel_rotation */
-    uint8_t depth_format;    /* enum ph_depth_format */
-    uint16_t band_height;    /* lines; more than the picture has: the whole picture */
-    uint32_t clock_hz;       /* bus clock asked for; 0: the board's */
+    uint8_t rotation;                           /* enum panel_rotation */
+    const struct ph_depth_format *depth_format; /* PH_DEPTH_... */
+    uint16_t band_height;                       /* lines; more than the picture has: the whole picture */
+    uint32_t clock_hz;                          /* bus clock asked for; 0: the board's */
     uint32_t budget_bytes;   /* for all memory on a 32-bit target, in bands of the board's own height (the picture does
                                 not depend on band_height); a board's is its scene_bytes */
     const struct demo *demo; /* the first; the select button takes the next on demo_list that fits */

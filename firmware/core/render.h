@@ -240,9 +240,27 @@ enum ph_depth_coding {
     PH_DEPTH_IS_LINEAR, /* the distance itself; slow: a reciprocal per pixel. Orthographic: as FIXED */
 };
 
+/* A depth format: these names are addresses, and a program links what its own format needs, and nothing of the others.
+ * PH_DEPTH_AUTO, which names two, takes for each frame what ph_depth_choose() says of its camera. */
+struct ph_depth_format {
+    const char *name;              /* that people write */
+    uint8_t coding, bits, octaves; /* see PH_DEPTH_EACH; those of AUTO are what all formats have that it may take */
+    bool is_small;
+    const struct ph_depth_format *(*choose)(const struct ph_projection *projection); /* AUTO; NULL: the format itself */
+};
+
+extern const struct ph_depth_format ph_depth_auto;
+#define PH_DEPTH_AUTO     (&ph_depth_auto)
+#define PH_DEPTH_FIXED16  (&ph_depth_fixed16)
+#define PH_DEPTH_FLOAT16  (&ph_depth_float16)
+#define PH_DEPTH_FIXED24  (&ph_depth_fixed24)
+#define PH_DEPTH_FLOAT24  (&ph_depth_float24)
+#define PH_DEPTH_LINEAR_W (&ph_depth_linear_w)
+
 /*
  * The depth formats with all that tells them apart. Programs, tests and tables take them from here; a new format is a
- * row at the end. depth.h says what each resolves.
+ * row at the end, and a name above. depth.h says what each resolves.
+ *   id       the end of the name of its struct
  *   coding   the end of a name of enum ph_depth_coding
  *   bits     of the code: 16 in a uint16_t, or 24 in the low bits of a uint32_t
  *   octaves  of a float that a plane of 32 bits may cross: with more, its far end would have too few bits
@@ -250,41 +268,31 @@ enum ph_depth_coding {
  */
 /* clang-format off */
 #define PH_DEPTH_EACH(ROW) \
-    /*  PH_DEPTH_.. name        coding  bits octaves small */ \
-    ROW(FIXED16,    "fixed16",  FIXED,  16,  0,      true) \
-    ROW(FLOAT16,    "float16",  FLOAT,  16,  4,      true) \
-    ROW(FIXED24,    "fixed24",  FIXED,  24,  0,      false) \
-    ROW(FLOAT24,    "float24",  FLOAT,  24,  2,      false) \
-    ROW(LINEAR_W,   "linear-w", LINEAR, 16,  0,      false)
+    /*  id          name        coding  bits octaves small */ \
+    ROW(fixed16,    "fixed16",  FIXED,  16,  0,      true) \
+    ROW(float16,    "float16",  FLOAT,  16,  4,      true) \
+    ROW(fixed24,    "fixed24",  FIXED,  24,  0,      false) \
+    ROW(float24,    "float24",  FLOAT,  24,  2,      false) \
+    ROW(linear_w,   "linear-w", LINEAR, 16,  0,      false)
 /* clang-format on */
 
-#define PH_DEPTH_ENUM(id, name, coding, bits, octaves, small) PH_DEPTH_##id,
-enum ph_depth_format {
-    PH_DEPTH_AUTO, /* the format that ph_depth_choose() takes for the frame's camera */
-    PH_DEPTH_EACH(PH_DEPTH_ENUM) PH_DEPTH_FORMATS
-};
+#define PH_DEPTH_DECLARED(id, name, coding, bits, octaves, small) extern const struct ph_depth_format ph_depth_##id;
+PH_DEPTH_EACH(PH_DEPTH_DECLARED)
 
-struct ph_depth_traits {
-    uint8_t coding, bits, octaves;
-    bool is_small;
-};
-
-/* The traits of AUTO are those that all formats have which it may take. */
-extern const struct ph_depth_traits ph_depth_traits[PH_DEPTH_FORMATS];
-
-/* The names that people write, of the formats from PH_DEPTH_AUTO on: `names[] = {PH_DEPTH_NAMES};` */
-#define PH_DEPTH_NAME(id, name, coding, bits, octaves, small) , name
-#define PH_DEPTH_NAMES                                        "auto" PH_DEPTH_EACH(PH_DEPTH_NAME)
+/* AUTO and all formats, for programs that take one by its name: whoever names this table links them all. */
+#define PH_DEPTH_COUNTED(id, name, coding, bits, octaves, small) +1
+#define PH_DEPTH_FORMATS                                         (1 PH_DEPTH_EACH(PH_DEPTH_COUNTED))
+extern const struct ph_depth_format *const ph_depth_formats[PH_DEPTH_FORMATS];
 
 /* Bytes of the depth buffer per pixel: 4 with codes of 24 bits, else 2. */
-size_t ph_depth_bytes(unsigned format);
+size_t ph_depth_bytes(const struct ph_depth_format *format);
 
 /*
  * AUTO takes FIXED16 for an orthographic projection and where far <= PH_DEPTH_FIXED16_RATIO near, else FLOAT16. Up to a
  * ratio of 66.4 FIXED16 resolves 1/1000 of the distance everywhere, and it costs a little less.
  */
 #define PH_DEPTH_FIXED16_RATIO 64
-enum ph_depth_format ph_depth_choose(const struct ph_projection *projection);
+const struct ph_depth_format *ph_depth_choose(const struct ph_projection *projection);
 
 /*
  * Bits of exponent with which a float resolves most where it resolves least: 3 for an orthographic projection and where
@@ -306,8 +314,8 @@ struct ph_stats {
     uint32_t triangles_dropped; /* left out: did not fit the budgets */
     uint32_t vertices_dropped;  /* of meshes left out: did not fit the budgets */
     uint32_t fragments;         /* pixels depth-tested */
-    uint8_t depth_format;       /* of this frame: enum ph_depth_format, never AUTO */
-    uint8_t depth_exponent;     /* of this frame: bits of exponent of FLOAT16 and FLOAT24, 3 .. 6; 0 for the others */
+    const struct ph_depth_format *depth_format; /* of this frame, never AUTO */
+    uint8_t depth_exponent; /* of this frame: bits of exponent of FLOAT16 and FLOAT24, 3 .. 6; 0 for the others */
 };
 
 /* How ph_show hands out pixels. */
@@ -357,9 +365,9 @@ extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 #define PH_OWN_BYTES       960 /* of the renderer's own, for scenes of few triangles */
 
 struct ph_config {
-    uint16_t width, height; /* 1 .. 1024 */
-    uint16_t band_height;   /* 1 .. height */
-    uint8_t depth_format;   /* enum ph_depth_format */
+    uint16_t width, height;                     /* 1 .. 1024 */
+    uint16_t band_height;                       /* 1 .. height */
+    const struct ph_depth_format *depth_format; /* PH_DEPTH_...; without one ph_renderer_init() refuses */
 
     void *vertices; /* vertex budget: ph_vertex_bytes each; the largest mesh must fit. What all meshes of a frame need
                        beside it comes from the triangle budget; 4-byte aligned, 8 on 64 bits */
@@ -482,7 +490,6 @@ struct ph_renderer {
         };                      /* while meshes are drawn */
         uintptr_t triangle[36]; /* while bands are drawn: the struct ph_triangle that is set up */
     };
-    struct ph_depth_traits depth;
     uint8_t *vertices, *vertices_end; /* where the next vertices go; NULL: they end where parts begin */
     uint8_t *parts;                   /* down to where parts have been taken */
     struct ph_small_part *first, *last;
@@ -519,15 +526,14 @@ struct ph_renderer {
     struct ph_fog fog_of;
     const struct ph_lines *lines; /* sets up lines, if there are any: see line.h */
     uint32_t fog_codes[32];       /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
-    struct ph_depth_traits depth; /* of this frame's format */
 };
 #endif
 
 /*
  * Initialises r with a copy of config.
  * Errors: PH_ERR_INVAL: a size, a pointer or its alignment is wrong, other_core lacks its other_core_join or cores, or
- *         samples lacks antialiasing. PH_ERR_NOMEM: bin_max is below the number of bands. After an error r refuses all
- * calls but this one.
+ *         samples lacks antialiasing. PH_ERR_FORMAT: no depth format is named. PH_ERR_NOMEM: bin_max is below the
+ * number of bands. After an error r refuses all calls but this one.
  */
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 

@@ -9,10 +9,11 @@
 
 enum ph_status {
     PH_OK = 0,
-    PH_ERR_NOMEM = -12, /* a caller's buffer is too small */
-    PH_ERR_INVAL = -22, /* an argument makes no sense */
-    PH_ERR_RANGE = -34, /* an argument does not fit the number format */
-    PH_ERR_STATE = -77, /* a call out of turn: see the order of a frame in render.h */
+    PH_ERR_NOMEM = -12,  /* a caller's buffer is too small */
+    PH_ERR_INVAL = -22,  /* an argument makes no sense */
+    PH_ERR_RANGE = -34,  /* an argument does not fit the number format */
+    PH_ERR_STATE = -77,  /* a call out of turn: see the order of a frame in render.h */
+    PH_ERR_FORMAT = -95, /* no depth format is named */
 };
 
 #endif

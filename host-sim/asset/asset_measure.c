@@ -54,6 +54,7 @@ static int set_up(struct stage *s, struct asset *asset, const struct board *boar
     const struct ph_config config = {.width = width,
                                      .height = height,
                                      .band_height = 1,
+                                     .depth_format = PH_DEPTH_AUTO,
                                      .vertices = vertices,
                                      .vertex_max = s->demo.vertex_max,
                                      .triangles = list,

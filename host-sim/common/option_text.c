@@ -85,28 +85,27 @@ bool option_text_turns(const char *text, uint8_t *out)
     return turns >= 0;
 }
 
-static const char *const depth_names[] = {PH_DEPTH_NAMES};
-
 bool option_text_depth(const char *text, struct option_depth *out)
 {
-    char name[OPTION_DEPTH_NAME];
     const char *const end = strstr(text, "-e");
     const size_t n = end != NULL ? (size_t)(end - text) : strlen(text);
-    if (n >= sizeof name || (end != NULL && (end[2] < '3' || end[2] > '6' || end[3] != '\0'))) {
+    if (end != NULL && (end[2] < '3' || end[2] > '6' || end[3] != '\0')) {
         return false;
     }
-    snprintf(name, sizeof name, "%.*s", (int)n, text);
-    const int format = option_text_choice(name, depth_names, PH_DEPTH_FORMATS);
-    if (format < 0 || (end != NULL && ph_depth_traits[format].coding != PH_DEPTH_IS_FLOAT)) {
-        return false;
+    for (int i = 0; i < PH_DEPTH_FORMATS; i++) {
+        const struct ph_depth_format *const format = ph_depth_formats[i];
+        if (strlen(format->name) == n && memcmp(format->name, text, n) == 0 &&
+            (end == NULL || format->coding == PH_DEPTH_IS_FLOAT)) {
+            *out = (struct option_depth){format, (uint8_t)(end != NULL ? end[2] - '0' : 0)};
+            return true;
+        }
     }
-    *out = (struct option_depth){(uint8_t)format, (uint8_t)(end != NULL ? end[2] - '0' : 0)};
-    return true;
+    return false;
 }
 
 const char *option_text_depth_name(struct option_depth depth, char text[OPTION_DEPTH_NAME])
 {
-    const int n = snprintf(text, OPTION_DEPTH_NAME, "%s", depth_names[depth.format]);
+    const int n = snprintf(text, OPTION_DEPTH_NAME, "%s", depth.format->name);
     if (depth.exponent != 0) {
         snprintf(text + n, (size_t)(OPTION_DEPTH_NAME - n), "-e%u", (unsigned)depth.exponent);
     }

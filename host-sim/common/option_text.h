@@ -25,9 +25,11 @@ int option_text_choice(const char *text, const char *const names[], int count);
 /* Reads "0", "90", "180" or "270" degrees as quarter turns. */
 bool option_text_turns(const char *text, uint8_t *out);
 
-/* What --depth takes: enum ph_depth_format, and bits of exponent of a float ("float16-e5"), 0: as the lens needs. */
+/* What --depth takes: a format, NULL where none was given, which means auto; and bits of exponent of a float
+ * ("float16-e5"), 0: as the lens needs. */
 struct option_depth {
-    uint8_t format, exponent;
+    const struct ph_depth_format *format;
+    uint8_t exponent;
 };
 
 bool option_text_depth(const char *text, struct option_depth *out);

@@ -72,9 +72,9 @@ static uint32_t leaning(const struct question *q, const struct lab_format *forma
     double apart = HUGE_VAL;
     lab.near_z = near_z;
     lab.exponent = format->exponent;
-    if (depth_planes_open(&canvas, &lab, (enum ph_depth_format)format->format) == 0) {
+    if (depth_planes_open(&canvas, &lab, format->format) == 0) {
         const struct planes_lean lean = {z * LSB, q->tilt_deg, depth_metres(lab.azimuth_deg)};
-        const enum ph_depth_format drawn = (enum ph_depth_format)format->format;
+        const struct ph_depth_format *const drawn = format->format;
         apart = depth_planes_sweep(&canvas, drawn, lean).measured_m;
         apart = isfinite(apart) ? apart : depth_planes_predicted_m(&lab, drawn, z * LSB, 0, q->tilt_deg);
     }
@@ -127,7 +127,7 @@ static double solve_float(const struct lab_format *format, int exponent, double 
 static double solve(const struct lab_format *format, double z, double s, double far_z)
 {
     double least = INFINITY;
-    switch (ph_depth_traits[format->format].coding) {
+    switch (format->format->coding) {
     case PH_DEPTH_IS_LINEAR:
         return fmax(far_z - s * 65536 * head_of(0), LSB);
     case PH_DEPTH_IS_FLOAT: /* the renderer takes the best, but for the sawtooth of a float */
@@ -252,7 +252,7 @@ static void say_backward(const struct question *q, const struct lab_format *form
 /* Ranks a format by its cost: 24 bits take memory, linear-w takes a division a pixel. */
 static int cost_of(const struct lab_format *format)
 {
-    return ph_depth_traits[format->format].coding == PH_DEPTH_IS_LINEAR ? 2 : format->bits == 24;
+    return format->format->coding == PH_DEPTH_IS_LINEAR ? 2 : format->bits == 24;
 }
 
 /* Is a the better advice? A near plane that shows something wins, then a cheap format, then the smaller near plane. */
@@ -306,7 +306,7 @@ static void conclude(const struct question *q, const struct lab_format *format, 
 static void say_auto(struct question *q)
 {
     const struct ph_projection p = {.kind = PH_PERSPECTIVE, .near_z = q->lab->near_z, .far_z = q->lab->far_z};
-    const enum ph_depth_format chosen = ph_depth_choose(&p);
+    const struct ph_depth_format *const chosen = ph_depth_choose(&p);
     char s[LAB_TEXT_SIZE], z[LAB_TEXT_SIZE], n[LAB_TEXT_SIZE];
     const struct lab_format *format = lab_formats;
     while (format->format != chosen) {

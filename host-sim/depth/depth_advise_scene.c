@@ -43,7 +43,7 @@ struct scene_report {
 
 static double step_m(const struct candidate *c, const struct scene_layer *at)
 {
-    const enum ph_depth_format format = (enum ph_depth_format)c->format->format;
+    const struct ph_depth_format *const format = c->format->format;
     return at->parallel ? depth_step_parallel_m(format, &c->lab, at->z_m) : depth_step_m(format, &c->lab, at->z_m);
 }
 
@@ -254,7 +254,7 @@ static double percent(uint64_t part, uint64_t whole)
 /* The cost of a format: memory first, then time. */
 static int cost_of(const struct lab_format *format)
 {
-    const unsigned coding = ph_depth_traits[format->format].coding;
+    const unsigned coding = format->format->coding;
     return coding == PH_DEPTH_IS_LINEAR ? 3 : format->bits == 24 ? 2 : coding == PH_DEPTH_IS_FLOAT;
 }
 

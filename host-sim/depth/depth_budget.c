@@ -15,7 +15,7 @@ struct budget {
     double predicted_m[DEPTH_SHARES + 1], measured_m[DEPTH_SHARES + 1];
 };
 
-static void predict(const struct depth_lab *lab, enum ph_depth_format format, double z, struct budget *budget)
+static void predict(const struct depth_lab *lab, const struct ph_depth_format *format, double z, struct budget *budget)
 {
     for (int i = 0; i < DEPTH_SHARES; i++) {
         budget->predicted_m[i] = depth_share_m((enum depth_share)i, format, lab, z);
@@ -23,7 +23,8 @@ static void predict(const struct depth_lab *lab, enum ph_depth_format format, do
 }
 
 /* All parts together, on planes whose farthest row is at z: the tilt that needs most. */
-static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format format, double z, struct budget *budget)
+static void sweep_tilts(struct planes_canvas *canvas, const struct ph_depth_format *format, double z,
+                        struct budget *budget)
 {
     static const double tilts[] = {0, 40, 75};
     budget->predicted_m[ALL] = budget->measured_m[ALL] = 0;
@@ -51,7 +52,7 @@ static int measure_store(const struct depth_lab *lab, const struct lab_format *f
     return 0;
 }
 
-static void measure(struct planes_canvas *canvas, enum ph_depth_format format, double z, struct budget *budget)
+static void measure(struct planes_canvas *canvas, const struct ph_depth_format *format, double z, struct budget *budget)
 {
     double *const measured = budget->measured_m;
     measured[DEPTH_SHARE_INPUT] = depth_budget_input_m(canvas, z);
@@ -91,13 +92,13 @@ static int budget_format(const struct depth_lab *lab, uint32_t row, const fx_t *
     const struct lab_format *format = &lab_formats[row];
     struct planes_canvas canvas;
     struct budget budget;
-    int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    int status = depth_planes_open(&canvas, lab, format->format);
     for (uint32_t i = 0; i < count && status == 0; i++) {
         const double z = depth_metres(at[i]);
         status = measure_store(lab, format, at[i], &budget.measured_m[DEPTH_SHARE_STORE]);
         if (status == 0) {
-            predict(lab, (enum ph_depth_format)format->format, z, &budget);
-            measure(&canvas, (enum ph_depth_format)format->format, z, &budget);
+            predict(lab, format->format, z, &budget);
+            measure(&canvas, format->format, z, &budget);
             print_budget(lab, format, z, &budget);
         }
     }

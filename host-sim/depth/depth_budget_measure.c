@@ -180,8 +180,8 @@ static void find_run(const struct ph_triangle *triangle, int32_t width, int32_t 
 }
 
 /* The code that a triangle's plane has at a pixel, before it is cut off. */
-static double code_of(const struct depth_lab *lab, const struct ph_triangle *triangle, enum ph_depth_format format,
-                      uint32_t x, uint32_t y)
+static double code_of(const struct depth_lab *lab, const struct ph_triangle *triangle,
+                      const struct ph_depth_format *format, uint32_t x, uint32_t y)
 {
     struct ph_triangle run;
     const struct ph_triangle *const t = triangle->block == PH_BLOCK_EXACT ? &run : triangle;
@@ -206,7 +206,7 @@ static double code_of(const struct depth_lab *lab, const struct ph_triangle *tri
 static void take_errors(const struct planes_canvas *canvas, const struct corner c[4], struct spread *error)
 {
     const struct depth_lab *lab = canvas->lab;
-    const enum ph_depth_format format = (enum ph_depth_format)canvas->renderer.config.depth_format;
+    const struct ph_depth_format *const format = canvas->renderer.config.depth_format;
     struct ph_triangle triangles[2];
     ph_setup_number(&canvas->renderer, 0, &triangles[0]);
     ph_setup_number(&canvas->renderer, 1, &triangles[1]);

@@ -30,14 +30,14 @@ void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double
     *across = isnan(azimuth_deg) ? hypot(half_h, half_w) : half_w * c + half_h * s;
 }
 
-static bool is_float(enum ph_depth_format format)
+static bool is_float(const struct ph_depth_format *format)
 {
-    return ph_depth_traits[format].coding == PH_DEPTH_IS_FLOAT;
+    return format->coding == PH_DEPTH_IS_FLOAT;
 }
 
-static bool is_linear(enum ph_depth_format format)
+static bool is_linear(const struct ph_depth_format *format)
 {
-    return ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR;
+    return format->coding == PH_DEPTH_IS_LINEAR;
 }
 
 /* A float's bits of exponent. */
@@ -48,7 +48,7 @@ static int bits_of(const struct depth_lab *lab)
 }
 
 /* N of depth.h, in metres. */
-static double head_m(enum ph_depth_format format, const struct depth_lab *lab)
+static double head_m(const struct ph_depth_format *format, const struct depth_lab *lab)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
     const int bits = is_float(format) ? bits_of(lab) : 0;
@@ -56,19 +56,19 @@ static double head_m(enum ph_depth_format format, const struct depth_lab *lab)
     return n * (is_fixed ? fmin(f / (f - n), 8) : 1) * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
 }
 
-static bool has_24_bits(enum ph_depth_format format)
+static bool has_24_bits(const struct ph_depth_format *format)
 {
-    return ph_depth_traits[format].bits == 24;
+    return format->bits == 24;
 }
 
 /* A step of 2^-16 of the range in codes. */
-static double unit_of(enum ph_depth_format format)
+static double unit_of(const struct ph_depth_format *format)
 {
     return has_24_bits(format) ? 256 : 1;
 }
 
 /* d = N/w - N/f at distance z. */
-static double depth_at(enum ph_depth_format format, const struct depth_lab *lab, double z)
+static double depth_at(const struct ph_depth_format *format, const struct depth_lab *lab, double z)
 {
     const double f = depth_metres(lab->far_z);
     return head_m(format, lab) * (f - z) / (z * f);
@@ -90,15 +90,15 @@ static double of_float(const struct depth_lab *lab, double code)
     return octave < 1 ? ldexp(octaves, -top) : ldexp(1 + octaves - octave, (int)octave - top - 1);
 }
 
-double depth_code_of_float(enum ph_depth_format format, const struct depth_lab *lab, double d)
+double depth_code_of_float(const struct ph_depth_format *format, const struct depth_lab *lab, double d)
 {
     return (float_of(lab, d) + 8) * unit_of(format);
 }
 
-double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, double z)
+double depth_code_at(const struct ph_depth_format *format, const struct depth_lab *lab, double z)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), d = depth_at(format, lab, z);
-    switch (ph_depth_traits[format].coding) {
+    switch (format->coding) {
     case PH_DEPTH_IS_FLOAT:
         return depth_code_of_float(format, lab, d);
     case PH_DEPTH_IS_LINEAR:
@@ -108,11 +108,11 @@ double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, d
     }
 }
 
-double depth_distance_of(enum ph_depth_format format, const struct depth_lab *lab, double code)
+double depth_distance_of(const struct ph_depth_format *format, const struct depth_lab *lab, double code)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), over_far = head_m(format, lab) / f;
     const double short_code = code / unit_of(format);
-    switch (ph_depth_traits[format].coding) {
+    switch (format->coding) {
     case PH_DEPTH_IS_FLOAT:
         return head_m(format, lab) / (of_float(lab, short_code - 8) + over_far);
     case PH_DEPTH_IS_LINEAR:
@@ -123,7 +123,7 @@ double depth_distance_of(enum ph_depth_format format, const struct depth_lab *la
 }
 
 /* d of the last bit of the code at d. For a float this is that of the octave of d. */
-static double bit_of(enum ph_depth_format format, const struct depth_lab *lab, double d)
+static double bit_of(const struct ph_depth_format *format, const struct depth_lab *lab, double d)
 {
     int exponent;
     if (!is_float(format)) {
@@ -134,7 +134,7 @@ static double bit_of(enum ph_depth_format format, const struct depth_lab *lab, d
     return ldexp(1, (d <= 0 || exponent < lowest ? lowest : exponent) - (has_24_bits(format) ? 25 : 17) + bits);
 }
 
-double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
+double depth_step_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z)
 {
     if (is_linear(format)) {
         return (depth_metres(lab->far_z) - depth_metres(lab->near_z)) / 65408;
@@ -142,7 +142,7 @@ double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, do
     return z * z / head_m(format, lab) * bit_of(format, lab, depth_at(format, lab, z));
 }
 
-double depth_step_parallel_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
+double depth_step_parallel_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z)
 {
     const double range = depth_metres(lab->far_z) - depth_metres(lab->near_z);
     const int bits = is_float(format) ? bits_of(lab) : 0;
@@ -164,7 +164,7 @@ static double divide_m(double z)
 }
 
 /* How far the border of two codes may lie from where the formula has it. linear-w takes a second reciprocal. */
-static double border_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
+static double border_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z)
 {
     const double unit = is_linear(format)  ? ldexp(z, -26) + ldexp(depth_metres(lab->far_z), -29)
                         : is_float(format) ? ldexp(z, -29)
@@ -180,7 +180,7 @@ struct quotient_grain {
     double unit;  /* of the quotient, in d */
 };
 
-static struct quotient_grain grain_at(enum ph_depth_format format, const struct depth_lab *lab, double z)
+static struct quotient_grain grain_at(const struct ph_depth_format *format, const struct depth_lab *lab, double z)
 {
     int near_log2, log2;
     struct quotient_grain grain;
@@ -199,14 +199,14 @@ static double distances_of(struct quotient_grain grain, double size)
 }
 
 /* d of a code. */
-static double depth_of_code(enum ph_depth_format format, const struct depth_lab *lab, double code)
+static double depth_of_code(const struct ph_depth_format *format, const struct depth_lab *lab, double code)
 {
     const double code16 = has_24_bits(format) ? code / 256 : code;
     return is_float(format) ? of_float(lab, code16 - 8) : ldexp(code16 - 16.25, -16);
 }
 
 /* The plateau of a code between near and far plane, at most. `slack`: what the borders of codes may be off. */
-static double plateau_m(enum ph_depth_format format, const struct depth_lab *lab, double code, double slack)
+static double plateau_m(const struct ph_depth_format *format, const struct depth_lab *lab, double code, double slack)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
     const double last = depth_distance_of(format, lab, code), first = depth_distance_of(format, lab, code + 1);
@@ -229,7 +229,7 @@ static double plateau_m(enum ph_depth_format format, const struct depth_lab *lab
 /*
  * The plateaus that z may lie on, and their neighbours where near or far plane cuts one: what lab_search.h measures.
  */
-static double store_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
+static double store_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), slack = border_m(format, lab, z) + GRID_M;
     double first = floor(depth_code_at(format, lab, fmin(z + slack, f)));
@@ -303,7 +303,7 @@ struct plane_error {
 };
 
 /* Whether the plane takes 64 bits: it crosses more octaves than 32 bits serve (planes.c). */
-static bool is_exact(enum ph_depth_format format, const struct depth_lab *lab, const struct whole_plane *plane)
+static bool is_exact(const struct ph_depth_format *format, const struct depth_lab *lab, const struct whole_plane *plane)
 {
     if (is_linear(format)) {
         const double head = head_m(format, lab);
@@ -311,11 +311,11 @@ static bool is_exact(enum ph_depth_format format, const struct depth_lab *lab, c
     }
     return is_float(format) && octave_of(lab, depth_at(format, lab, plane->nearest)) -
                                        octave_of(lab, depth_at(format, lab, plane->farthest)) >
-                                   ph_depth_traits[format].octaves;
+                                   format->octaves;
 }
 
 /* The unit in which a run of a plane of 64 bits is stepped at distance z, in metres: of the float's octave, of 1/w. */
-static double run_unit_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
+static double run_unit_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z)
 {
     const double head = head_m(format, lab);
     return is_linear(format) ? z * z / head * ldexp(1, ilogb(head / z) - 28)
@@ -323,7 +323,7 @@ static double run_unit_m(enum ph_depth_format format, const struct depth_lab *la
 }
 
 /* The largest unit between two distances: it grows towards the far end of an octave. */
-static double largest_unit_m(enum ph_depth_format format, const struct depth_lab *lab, double from, double to)
+static double largest_unit_m(const struct ph_depth_format *format, const struct depth_lab *lab, double from, double to)
 {
     const double head = head_m(format, lab), over_far = is_linear(format) ? 0 : head / depth_metres(lab->far_z);
     double most = run_unit_m(format, lab, to);
@@ -340,8 +340,8 @@ static double largest_unit_m(enum ph_depth_format format, const struct depth_lab
  * counts for either. A run steps its own unit: a gradient is rounded to half of it and counts from the middle of 512 px
  * and 16 rows, and the beginning of the run is cut off. Corners far away are cut to 2^-40.
  */
-static double exact_m(enum ph_depth_format format, const struct depth_lab *lab, const struct whole_plane *plane,
-                      double way, double z)
+static double exact_m(const struct ph_depth_format *format, const struct depth_lab *lab,
+                      const struct whole_plane *plane, double way, double z)
 {
     const double run = fmin(lab->width, 512) / 2 + 8 + 1;
     return run * largest_unit_m(format, lab, plane->nearest, z) +
@@ -353,7 +353,7 @@ static double exact_m(enum ph_depth_format format, const struct depth_lab *lab, 
  * multiple of 2^down, with which no bit is lost in the slope of an octave (round_depth of planes.c): for float16 that
  * of the first octave of all, for float24 that of the nearest corner's.
  */
-static struct plane_error float_error(const struct depth_lab *lab, enum ph_depth_format format,
+static struct plane_error float_error(const struct depth_lab *lab, const struct ph_depth_format *format,
                                       const struct whole_plane *plane, double way)
 {
     const int first = octave_of(lab, depth_at(format, lab, plane->nearest)),
@@ -381,7 +381,7 @@ static struct plane_error float_error(const struct depth_lab *lab, enum ph_depth
  * and 3 in the others. linear-w has N/w below 2^29, and then a reciprocal, a product and a difference in units of 2^-30
  * of the far plane.
  */
-double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, struct planes_lean lean,
+double depth_interpolation_m(const struct ph_depth_format *format, const struct depth_lab *lab, struct planes_lean lean,
                              double z)
 {
     const struct whole_plane plane = whole_plane(lab, lean);
@@ -403,7 +403,8 @@ double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab
     return error.units * error.unit * z * z / head_m(format, lab) + divide_m(z) + late;
 }
 
-double depth_share_m(enum depth_share share, enum ph_depth_format format, const struct depth_lab *lab, double z)
+double depth_share_m(enum depth_share share, const struct ph_depth_format *format, const struct depth_lab *lab,
+                     double z)
 {
     switch (share) {
     case DEPTH_SHARE_INPUT:

@@ -65,29 +65,30 @@ double depth_pixel_slope(const struct depth_lab *lab);
 void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double *along, double *across);
 
 /* The depth step at distance z that the format's definition gives. */
-double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, double z);
+double depth_step_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z);
 
 /* The depth step at distance z under a parallel projection. */
-double depth_step_parallel_m(enum ph_depth_format format, const struct depth_lab *lab, double z);
+double depth_step_parallel_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z);
 
 /* The code at distance z by the definition in depth.h, before it becomes a whole number; a larger code is nearer. */
-double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, double z);
+double depth_code_at(const struct ph_depth_format *format, const struct depth_lab *lab, double z);
 
 /* The distance that has this code; beyond the far plane it may be negative or infinite. */
-double depth_distance_of(enum ph_depth_format format, const struct depth_lab *lab, double code);
+double depth_distance_of(const struct ph_depth_format *format, const struct depth_lab *lab, double code);
 
 /* The code for a d = N/w - N/f, in a float format. */
-double depth_code_of_float(enum ph_depth_format format, const struct depth_lab *lab, double d);
+double depth_code_of_float(const struct ph_depth_format *format, const struct depth_lab *lab, double d);
 
 /* The share of snapping corners to 2^-bits pixel: sqrt(2) 2^-bits p z. */
 double depth_subpixel_m(const struct depth_lab *lab, int bits, double z);
 
 /* The bound of a share at z: what depth_budget_measure measures never exceeds it. */
-double depth_share_m(enum depth_share share, enum ph_depth_format format, const struct depth_lab *lab, double z);
+double depth_share_m(enum depth_share share, const struct ph_depth_format *format, const struct depth_lab *lab,
+                     double z);
 
 /* The share of interpolation at z, on a plane through the whole picture with its far edge at lean.at_m. An azimuth of
  * NAN stands for all. */
-double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, struct planes_lean lean,
+double depth_interpolation_m(const struct ph_depth_format *format, const struct depth_lab *lab, struct planes_lean lean,
                              double z);
 
 double depth_s_min_m(double s_xy, double s_z, double tan_phi);

@@ -77,7 +77,7 @@ static struct band count_band(const struct planes_canvas *canvas, const struct p
                               uint32_t *codes)
 {
     const struct depth_lab *lab = canvas->lab;
-    const enum ph_depth_format format = (enum ph_depth_format)canvas->renderer.config.depth_format;
+    const struct ph_depth_format *const format = canvas->renderer.config.depth_format;
     const uint32_t area = (uint32_t)lab->width * lab->height;
     uint32_t *const predicted = codes + area;
     struct band band = {.nearest_m = HUGE_VAL};
@@ -121,7 +121,7 @@ static int show_format(const struct depth_lab *lab, const struct lab_format *for
                        struct picture *picture)
 {
     struct planes_canvas canvas;
-    int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    int status = depth_planes_open(&canvas, lab, format->format);
     if (status == 0) {
         canvas.shading = lab->shading;
         depth_planes_turn(&canvas, depth_metres(lab->azimuth_deg));
@@ -141,7 +141,7 @@ static double half_too_small(const struct depth_lab *lab, double at, double tilt
     for (uint32_t i = 0; i < lab_format_count; i++) {
         const struct depth_lab own = depth_lab_of(lab, i);
         if ((rows >> i & 1) != 0) {
-            most = fmax(most, depth_planes_predicted_m(&own, (enum ph_depth_format)lab_formats[i].format, at, 0, tilt));
+            most = fmax(most, depth_planes_predicted_m(&own, lab_formats[i].format, at, 0, tilt));
         }
     }
     return fmax(most / 2, 2.0 / 65536);
@@ -223,7 +223,7 @@ static int show_pictures(const struct depth_lab *lab)
 static void sweep_row(const struct depth_lab *lab, const struct lab_format *format, struct planes_canvas *canvas,
                       struct planes_lean lean)
 {
-    const struct planes_sweep sweep = depth_planes_sweep(canvas, (enum ph_depth_format)format->format, lean);
+    const struct planes_sweep sweep = depth_planes_sweep(canvas, format->format, lean);
     fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%g,%.4g,%.4g,", format->name, format->bits, depth_metres(lab->near_z),
             depth_metres(lab->far_z), lean.at_m, lean.tilt_deg, sweep.s_min_m, sweep.at_tilt_m);
     if (isfinite(sweep.measured_m)) {
@@ -245,7 +245,7 @@ static int sweep_format(const struct depth_lab *lab, const struct lab_format *fo
     static const double tilts[] = {0, 15, 30, 45, 60, 75};
     const uint32_t tilt_count = lab->tilt_set ? 1 : sizeof tilts / sizeof tilts[0];
     struct planes_canvas canvas;
-    const int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    const int status = depth_planes_open(&canvas, lab, format->format);
     for (uint32_t i = 0; status == 0 && (i < lab->at_count || i == 0); i++) {
         canvas.shading = lab->shading;
         for (uint32_t k = 0; k < tilt_count; k++) {

@@ -53,7 +53,7 @@ static double spread(int i, double by)
 
 /* Place number i of the sweep. Its upper edge is at at_m, or its lower one where the planes lean towards us. In three
  * of four places the plane in front is moved within itself, towards us. */
-static struct planes_place place_of(const struct planes_canvas *canvas, enum ph_depth_format format,
+static struct planes_place place_of(const struct planes_canvas *canvas, const struct ph_depth_format *format,
                                     struct planes_lean lean, int i)
 {
     const struct depth_lab *lab = canvas->lab;
@@ -90,8 +90,8 @@ static bool is_wrong(struct planes_canvas *canvas, const struct planes_pair *pai
 
 /* Is any pixel of any place wrong at this separation? IMPOSSIBLE: the separation rounds to 0, or has no room. *real_m:
  * the largest separation of a place after rounding. */
-static enum verdict try_places(struct planes_canvas *canvas, enum ph_depth_format format, struct planes_lean lean,
-                               double separation_m, double *real_m)
+static enum verdict try_places(struct planes_canvas *canvas, const struct ph_depth_format *format,
+                               struct planes_lean lean, double separation_m, double *real_m)
 {
     *real_m = 0;
     for (int i = 0; i < PLACES; i++) {
@@ -118,8 +118,8 @@ static double tan_phi_max(const struct depth_lab *lab)
     return hypot(half * lab->width, half * lab->height);
 }
 
-double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_format format, double z, double slope,
-                                double tilt_deg)
+double depth_planes_predicted_m(const struct depth_lab *lab, const struct ph_depth_format *format, double z,
+                                double slope, double tilt_deg)
 {
     const double angle = depth_radians(tilt_deg);
     return depth_step_m(format, lab, z) * fabs(cos(angle) - slope * sin(angle)) +
@@ -131,7 +131,7 @@ double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_forma
  * sub-pixel step up. Their corners stand on the grid and the camera only rolls, so input and matrix cost nothing. The
  * sweep finds it to one of its steps.
  */
-static double bound_of_row(const struct depth_lab *lab, enum ph_depth_format format, struct planes_lean lean,
+static double bound_of_row(const struct depth_lab *lab, const struct ph_depth_format *format, struct planes_lean lean,
                            double slope)
 {
     const double angle = depth_radians(lean.tilt_deg), z = lean.at_m / (1 - slope * tan(angle));
@@ -145,7 +145,7 @@ static double bound_of_row(const struct depth_lab *lab, enum ph_depth_format for
 }
 
 /* Predicts for the row that needs most: the steps of a float get coarser at the near end of each octave. */
-static void predict(const struct depth_lab *lab, enum ph_depth_format format, struct planes_lean lean,
+static void predict(const struct depth_lab *lab, const struct ph_depth_format *format, struct planes_lean lean,
                     struct planes_sweep *sweep)
 {
     lean.tilt_deg = fabs(lean.tilt_deg);
@@ -161,7 +161,7 @@ static void predict(const struct depth_lab *lab, enum ph_depth_format format, st
     }
 }
 
-struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format,
+struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struct ph_depth_format *format,
                                        struct planes_lean lean)
 {
     struct planes_sweep sweep = {0, 0, 0, HUGE_VAL};

@@ -18,8 +18,8 @@ struct planes_count depth_planes_count(struct planes_canvas *canvas, const struc
  * The prediction at distance z for planes of this tilt, on the ray with slope y / z: a depth step along the ray, seen
  * along the normal of the planes, plus a sub-pixel step up: s_z (cos(tilt) - slope sin(tilt)) + 2^-8 p z |sin(tilt)|.
  */
-double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_format format, double z, double slope,
-                                double tilt_deg);
+double depth_planes_predicted_m(const struct depth_lab *lab, const struct ph_depth_format *format, double z,
+                                double slope, double tilt_deg);
 
 /* One row of the sweep. The predictions are for the row of the picture that needs most. */
 struct planes_sweep {
@@ -35,7 +35,7 @@ struct planes_sweep {
  * depth step; half of them are as wide as the picture, the others small (24 px) or tiny (6 px) in its middle. If
  * lean.azimuth_deg is NAN each place has an azimuth of its own.
  */
-struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format,
+struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struct ph_depth_format *format,
                                        struct planes_lean lean);
 
 #endif

@@ -9,7 +9,7 @@
 #define CORNER_MAX 1073741824.0 /* 2^30: numerators then fit 64 bits */
 #define GUARD      3.9          /* half pictures that a corner may lie off the middle without being clipped */
 
-int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format)
+int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, const struct ph_depth_format *format)
 {
     const size_t area = (size_t)lab->width * lab->height;
     const size_t vertices = PLANES_VERTICES * ph_vertex_bytes, triangles = PLANES_TRIANGLES * ph_triangle_bytes;
@@ -26,7 +26,7 @@ int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab,
     const struct ph_config config = {.width = lab->width,
                                      .height = lab->height,
                                      .band_height = lab->height,
-                                     .depth_format = (uint8_t)format,
+                                     .depth_format = format,
                                      .depth_exponent = lab->exponent,
                                      .vertices = memory,
                                      .vertex_max = PLANES_VERTICES,

@@ -69,7 +69,7 @@ struct planes_canvas {
 enum { PLANES_NONE, PLANES_FRONT, PLANES_BEHIND };
 
 /* Opens a canvas for two planes. 0 or COMPLAINED. Call depth_planes_close() in any case. */
-int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format);
+int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, const struct ph_depth_format *format);
 void depth_planes_close(struct planes_canvas *canvas);
 
 /* Rolls the camera, so that what leans away at the top leans in the direction of the azimuth. */

@@ -31,7 +31,11 @@ static struct style style_of(const struct lab_format *format)
                                          {"#cc79a7", 9}, {"#56b4e9", 11}, {"#000000", 13}};
     static const char *const widths[] = {"#332288", "#117733", "#999933", "#882255"}; /* 3 .. 6 bits of exponent */
     if (format->kind == LAB_DRAWN) {
-        const struct style own = drawn[(format->format - PH_DEPTH_AUTO - 1) % (sizeof drawn / sizeof drawn[0])];
+        int number = 0;
+        while (ph_depth_formats[number + 1] != format->format) {
+            number++;
+        }
+        const struct style own = drawn[number % (int)(sizeof drawn / sizeof drawn[0])];
         return format->exponent != 0 ? (struct style){widths[format->exponent - 3], own.mark} : own;
     }
     static const struct style others[] = {

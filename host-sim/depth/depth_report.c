@@ -302,8 +302,7 @@ static double worst_m(const struct depth_lab *lab, const struct lab_format *form
 /* Whether the renderer draws it without a reciprocal a pixel, with as many bits of exponent as it takes itself. */
 static bool is_quick(const struct lab_format *format)
 {
-    return format->kind == LAB_DRAWN && format->exponent == 0 &&
-           ph_depth_traits[format->format].coding != PH_DEPTH_IS_LINEAR;
+    return format->kind == LAB_DRAWN && format->exponent == 0 && format->format->coding != PH_DEPTH_IS_LINEAR;
 }
 
 /* One line: the cheapest format that separates a thousandth of the far plane's distance, or the finest. The formats of

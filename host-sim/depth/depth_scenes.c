@@ -249,7 +249,7 @@ static void put_scene(struct planes_canvas *canvas, const struct lab_format *for
             (unsigned)result.wrong);
     if (result.largest_m > 0) {
         fprintf(lab->rows, "%.10g,%.6g,%.4g\n", result.largest_m, result.at_m,
-                depth_step_m((enum ph_depth_format)format->format, lab, result.at_m));
+                depth_step_m(format->format, lab, result.at_m));
     } else {
         fputs(",,\n", lab->rows);
     }
@@ -258,7 +258,7 @@ static void put_scene(struct planes_canvas *canvas, const struct lab_format *for
 static int put_format(const struct depth_lab *lab, const struct lab_format *format)
 {
     struct planes_canvas canvas;
-    const int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    const int status = depth_planes_open(&canvas, lab, format->format);
     for (int scene = 0; scene < 5 && status == 0; scene++) {
         for (unsigned shading = 0; shading < DEPTH_SHADINGS; shading++) {
             canvas.shading = (uint8_t)shading;

@@ -9,7 +9,7 @@
 static void put_row(const struct depth_lab *lab, const struct lab_format *format, struct planes_canvas *canvas,
                     struct planes_lean lean)
 {
-    const struct planes_sweep sweep = depth_planes_sweep(canvas, (enum ph_depth_format)format->format, lean);
+    const struct planes_sweep sweep = depth_planes_sweep(canvas, format->format, lean);
     fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%s,%g,%.4g,", format->name, format->bits, depth_metres(lab->near_z),
             depth_metres(lab->far_z), lean.at_m, depth_shading_names[canvas->shading], lean.tilt_deg, sweep.bound_m);
     if (isfinite(sweep.measured_m)) {
@@ -27,7 +27,7 @@ static int put_format(const struct depth_lab *lab, const struct lab_format *form
                       uint32_t total)
 {
     struct planes_canvas canvas;
-    const int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    const int status = depth_planes_open(&canvas, lab, format->format);
     for (unsigned shading = 0; shading < DEPTH_SHADINGS && status == 0; shading++) {
         canvas.shading = (uint8_t)shading;
         for (size_t i = 0; i < TILTS; i++) {

@@ -80,7 +80,7 @@ static int open_display(struct panel_display *d, const struct panel_scene *scene
     const struct board *board = d->board;
     struct runner_config config = {.board = board,
                                    .rotation = board->rotation,
-                                   .depth_format = scene->depth.format,
+                                   .depth_format = scene->depth.format != NULL ? scene->depth.format : PH_DEPTH_AUTO,
                                    .depth_exponent = scene->depth.exponent,
                                    .band_height = scene->band != 0 ? scene->band : board->band_height,
                                    .budget_bytes = board->scene_bytes,

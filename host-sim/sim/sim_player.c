@@ -25,7 +25,7 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
     }
     struct runner_config config = {.board = board,
                                    .rotation = (uint8_t)setup->rotation,
-                                   .depth_format = setup->depth.format,
+                                   .depth_format = setup->depth.format != NULL ? setup->depth.format : PH_DEPTH_AUTO,
                                    .depth_exponent = setup->depth.exponent,
                                    .band_height = setup->band_height,
                                    .budget_bytes = board->scene_bytes,

@@ -194,6 +194,7 @@ static void draw(const struct demo *demo, struct demo_context *context)
     const struct ph_config config = {.width = WIDTH,
                                      .height = HEIGHT,
                                      .band_height = BAND,
+                                     .depth_format = PH_DEPTH_AUTO,
                                      .vertices = vertices,
                                      .vertex_max = VERTICES,
                                      .triangles = triangles,

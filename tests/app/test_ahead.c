@@ -153,6 +153,7 @@ static struct stage *stage_open(const char *board_name, size_t ahead_bytes)
     const struct board *const board = board_find(board_name);
     s->sim = sim_open(board, &s->hal);
     s->config = (struct runner_config){.board = board,
+                                       .depth_format = PH_DEPTH_AUTO,
                                        .rotation = board->rotation,
                                        .band_height = board->band_height,
                                        .budget_bytes = board->scene_bytes,

@@ -251,6 +251,7 @@ static struct shown show(const struct demo *demo, bool tiles, uint32_t frame, ui
     struct panel_tiles tile;
     struct panel_diff diff;
     struct runner_config config = {.board = board,
+                                   .depth_format = PH_DEPTH_AUTO,
                                    .rotation = board->rotation,
                                    .band_height = board->band_height,
                                    .budget_bytes = board->scene_bytes,

@@ -16,6 +16,7 @@
 static struct runner_config config_of(const struct board *board, const struct demo *demo)
 {
     return (struct runner_config){.board = board,
+                                  .depth_format = PH_DEPTH_AUTO,
                                   .rotation = board->rotation,
                                   .band_height = board->band_height,
                                   .budget_bytes = board->scene_bytes,

@@ -182,6 +182,7 @@ static struct stage *stage_of(const struct board *board, const char *demo, uint1
     s->bus.sim = sim_open(board, &s->bus.below);
     s->hal = (struct hal){&late_ops, &s->bus};
     s->config = (struct runner_config){.board = board,
+                                       .depth_format = PH_DEPTH_AUTO,
                                        .rotation = board->rotation,
                                        .band_height = band_height,
                                        .budget_bytes = budget,

@@ -133,6 +133,7 @@ static void open_on(const struct board *board)
     kit.ops.te_wait = kit_edge;
     kit.hal = (struct hal){&kit.ops, kit.below.context};
     kit.config = (struct runner_config){.board = &kit.board,
+                                        .depth_format = PH_DEPTH_AUTO,
                                         .rotation = board->rotation,
                                         .band_height = 16,
                                         .budget_bytes = 200000,

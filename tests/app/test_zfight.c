@@ -46,7 +46,7 @@ static void fixed16_fights_beside_float16_on_every_panel(void **state)
     (void)state;
     static const uint16_t sizes[][2] = {{240, 240}, {135, 240}, {80, 160},  {160, 80},  {128, 64},
                                         {320, 240}, {128, 128}, {320, 480}, {240, 135}, {121, 99}};
-    static const uint8_t formats[2] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16};
+    static const struct ph_depth_format *const formats[2] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16};
     for (size_t i = 0; i < 2 * sizeof sizes / sizeof sizes[0]; i++) {
         const uint16_t *const size = sizes[i / 2];
         struct demo_stage s = demo_stage_open(demo_find("zfight"), size[0], size[1]);
@@ -73,10 +73,11 @@ static void the_sides_differ_by_the_fight_alone(void **state)
 {
     (void)state;
     const struct demo *const demo = demo_find("zfight");
-    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+    for (int f = 1; f < PH_DEPTH_FORMATS; f++) {
+        const struct ph_depth_format *const format = ph_depth_formats[f];
         struct demo_stage s = demo_stage_open(demo, 240, 160);
         rig_close(&s.rig);
-        rig_open(&s.rig, 240, 160, 7, (uint8_t)format, (int)demo->vertex_max, (int)demo->triangle_max);
+        rig_open(&s.rig, 240, 160, 7, format, (int)demo->vertex_max, (int)demo->triangle_max);
         demo_stage_frame(&s, 77);
         const uint16_t dark = s.rig.r.background;
         for (int i = 0; i < 120 * 160; i++) {

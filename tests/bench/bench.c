@@ -44,8 +44,8 @@ static const struct scene scenes[] = {{"S1", "torus"},  {"S2", "cube"}, {"S3", "
                                       {"S5", "ground"}, {"S6", NULL},   {"S7", NULL},   {"S8", NULL}};
 
 static const char *const format_names[FORMATS] = {"kit", "fixed16", "float16", "fixed24", "float24", "linear-w"};
-static const uint8_t formats[FORMATS] = {PH_DEPTH_AUTO,    PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16,
-                                         PH_DEPTH_FIXED24, PH_DEPTH_FLOAT24, PH_DEPTH_LINEAR_W};
+static const struct ph_depth_format *const formats[FORMATS] = {PH_DEPTH_AUTO,    PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16,
+                                                               PH_DEPTH_FIXED24, PH_DEPTH_FLOAT24, PH_DEPTH_LINEAR_W};
 
 /* One image, one run: all its memory. Word-wise for alignment. */
 static uint64_t arena[ARENA / 8], vertices[VERTICES * 8], triangles[TRIANGLES * 20];

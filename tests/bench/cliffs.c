@@ -57,7 +57,7 @@ struct view {
     struct ph_xform place;
     struct ph_projection projection;
     const struct ph_scene_light *light;
-    uint8_t depth_format;
+    const struct ph_depth_format *depth_format;
     uint16_t lines; /* of a band */
     bool antialias;
 };

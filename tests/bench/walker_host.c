@@ -21,6 +21,7 @@ int main(void)
     const struct ph_config config = {.width = WIDTH,
                                      .height = HEIGHT,
                                      .band_height = HEIGHT,
+                                     .depth_format = PH_DEPTH_AUTO,
                                      .vertices = list,
                                      .vertex_max = room,
                                      .triangles = list,

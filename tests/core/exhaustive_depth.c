@@ -14,10 +14,9 @@ struct camera {
     int exact_every; /* every so many distances the exact value is compared, too */
 };
 
-static const char *const names[] = {PH_DEPTH_NAMES};
-
 /* The lens of a frame, as the renderer makes it. */
-static int lens_of(const struct camera *camera, enum ph_depth_format format, int exponent, struct ph_lens *lens)
+static int lens_of(const struct camera *camera, const struct ph_depth_format *format, int exponent,
+                   struct ph_lens *lens)
 {
     struct ph_renderer r;
     struct ph_projection p;
@@ -26,7 +25,7 @@ static int lens_of(const struct camera *camera, enum ph_depth_format format, int
     const struct ph_config config = {.width = 1,
                                      .height = 1,
                                      .band_height = 1,
-                                     .depth_format = (uint8_t)format,
+                                     .depth_format = format,
                                      .depth_exponent = (uint8_t)exponent,
                                      .vertices = &r,
                                      .triangles = &r,
@@ -42,7 +41,7 @@ static int lens_of(const struct camera *camera, enum ph_depth_format format, int
     return 0;
 }
 
-static int check(const struct camera *camera, enum ph_depth_format format, int exponent)
+static int check(const struct camera *camera, const struct ph_depth_format *format, int exponent)
 {
     struct ph_lens lens;
     if (lens_of(camera, format, exponent, &lens) != 0) {
@@ -55,13 +54,13 @@ static int check(const struct camera *camera, enum ph_depth_format format, int e
         if (code > before ||
             (w % (uint32_t)camera->exact_every == 0 && !depth_is_right(&lens, format, (fx_t)w, code))) {
             fprintf(stderr, "exhaustive_depth: %s: code %u at distance %u/65536, %u just before it, exact %.4f\n",
-                    names[format], (unsigned)code, (unsigned)w, (unsigned)before, depth_exact(&lens, format, (fx_t)w));
+                    format->name, (unsigned)code, (unsigned)w, (unsigned)before, depth_exact(&lens, format, (fx_t)w));
             return 1;
         }
         codes += code != before;
         before = code;
     }
-    printf("%-8s e%d near %.6g far %.8g: %u distances, %u codes, none rises\n", names[format], exponent,
+    printf("%-8s e%d near %.6g far %.8g: %u distances, %u codes, none rises\n", format->name, exponent,
            camera->near_z / 65536., camera->far_z / 65536., (unsigned)camera->far_z - (unsigned)camera->near_z + 1,
            (unsigned)codes);
     fflush(stdout);
@@ -73,10 +72,11 @@ int main(void)
     static const struct camera cameras[] = {
         {6554, FX_INT(1000), 1}, {FX_HALF, FX_INT(100), 1}, {FX_ONE, FX_INT(1000), 1}, {1, FX_MAX, 61}};
     for (size_t i = 0; i < sizeof cameras / sizeof cameras[0]; i++) {
-        for (int format = 1; format < PH_DEPTH_FORMATS; format++) {
-            const bool is_float = ph_depth_traits[format].coding == PH_DEPTH_IS_FLOAT;
+        for (int f = 1; f < PH_DEPTH_FORMATS; f++) {
+            const struct ph_depth_format *const format = ph_depth_formats[f];
+            const bool is_float = format->coding == PH_DEPTH_IS_FLOAT;
             for (int exponent = is_float ? 3 : 0; exponent <= (is_float ? 6 : 0); exponent++) {
-                if (check(&cameras[i], (enum ph_depth_format)format, exponent) != 0) {
+                if (check(&cameras[i], format, exponent) != 0) {
                     return EXIT_FAILURE;
                 }
             }

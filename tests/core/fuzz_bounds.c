@@ -48,7 +48,7 @@ struct scene {
     struct ph_xform view;
     struct ph_projection lens;
     struct body bodies[MESHES];
-    unsigned depth_format;
+    const struct ph_depth_format *depth_format;
     bool antialiased;
 };
 
@@ -197,7 +197,7 @@ static void make_scene(struct scene *s)
     const double offset[3] = {far_away, ref_uniform(-far_away, far_away), -far_away};
     s->lens = any_lens(reach);
     s->view = any_xform(reach / 4);
-    s->depth_format = below(PH_DEPTH_FORMATS);
+    s->depth_format = ph_depth_formats[below(PH_DEPTH_FORMATS)];
     s->antialiased = below(8) == 0;
     for (int i = 0; i < MESHES; i++) {
         make_body(&s->bodies[i], reach);
@@ -304,7 +304,7 @@ static void draw(const struct scene *s, bool bounded, uint64_t seed, struct pict
     const struct ph_config config = {.width = WIDTH,
                                      .height = HEIGHT,
                                      .band_height = HEIGHT,
-                                     .depth_format = (uint8_t)s->depth_format,
+                                     .depth_format = s->depth_format,
                                      .vertices = vertices,
                                      .vertex_max = sizeof vertices / ph_vertex_bytes,
                                      .triangles = triangles,

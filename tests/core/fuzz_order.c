@@ -108,6 +108,7 @@ static void open_subject(struct subject *s)
     s->config = (struct ph_config){.width = WIDTH,
                                    .height = LINES,
                                    .band_height = (uint16_t)lines,
+                                   .depth_format = PH_DEPTH_AUTO,
                                    .vertices = memory(n * ph_vertex_bytes),
                                    .vertex_max = n,
                                    .triangles = memory(n * ph_triangle_bytes),
@@ -139,7 +140,7 @@ static void close_subject(struct subject *s)
 /* Makes one thing wrong. Returns what ph_renderer_init must say. */
 static int spoil(struct ph_config *c)
 {
-    switch (below(8)) {
+    switch (below(9)) {
     case 0:
         c->vertices = (uint8_t *)c->vertices + 1;
         return PH_ERR_INVAL;
@@ -163,6 +164,9 @@ static int spoil(struct ph_config *c)
     case 6:
         c->band_height = 0;
         return PH_ERR_INVAL;
+    case 7:
+        c->depth_format = NULL;
+        return PH_ERR_FORMAT;
     default:
         c->bins = NULL;
         return PH_ERR_INVAL;

@@ -581,7 +581,7 @@ static void effects(const int32_t *a)
                                      .bins = bins,
                                      .bin_max = 2,
                                      .depth = depth,
-                                     .depth_format = (uint8_t)((uint32_t)a[13] % PH_DEPTH_FORMATS)};
+                                     .depth_format = ph_depth_formats[(uint32_t)a[13] % PH_DEPTH_FORMATS]};
     const struct ph_plane_equation plane = {vec(a + 6), a[9]};
     const struct ph_focus focus = {a[10], a[11], (uint8_t)a[12]};
     struct ph_projection lens;

@@ -301,6 +301,7 @@ static void pictures_over_512_pixels_are_refused(void **state)
     struct ph_config config = {.width = 513,
                                .height = 1,
                                .band_height = 1,
+                               .depth_format = PH_DEPTH_FIXED16,
                                .vertices = s.vertices,
                                .triangles = s.triangles,
                                .bins = s.bins,

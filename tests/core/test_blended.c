@@ -297,12 +297,15 @@ static void check(const char *surface, struct scene *s, double bound)
 {
     double worst = 0, least = 1;
     int layers = 0;
-    const int last = s->without_linear_w ? PH_DEPTH_FLOAT24 : PH_DEPTH_LINEAR_W;
-    for (int format = PH_DEPTH_FIXED16; format <= last; format++) {
+    for (int f = 1; f < PH_DEPTH_FORMATS; f++) {
+        const struct ph_depth_format *const format = ph_depth_formats[f];
+        if (s->without_linear_w && format == PH_DEPTH_LINEAR_W) {
+            continue;
+        }
         for (int band = 0; band < 2; band++) {
             struct rig rig;
             double share;
-            rig_open(&rig, W, H, band == 0 ? 7 : H, (enum ph_depth_format)format, 64, 128);
+            rig_open(&rig, W, H, band == 0 ? 7 : H, format, 64, 128);
             draw(s, &rig);
             const double error = compare(s, &rig, &share, &layers);
             worst = error > worst ? error : worst;
@@ -423,11 +426,11 @@ static void corners_give_their_colours(void **state)
             }
         }
         s.quads[2].blend = i % 2 != 0 ? &glass : NULL;
-        for (int k = PH_DEPTH_FIXED16; k < PH_DEPTH_LINEAR_W; k++) {
+        for (int k = 1; k < PH_DEPTH_FORMATS - 1; k++) { /* all but linear-w */
             struct rig rig;
             double share;
             int layers = 0;
-            rig_open(&rig, W, H, 11, (enum ph_depth_format)k, 64, 128);
+            rig_open(&rig, W, H, 11, ph_depth_formats[k], 64, 128);
             draw(&s, &rig);
             const double worst = compare(&s, &rig, &share, &layers);
             assert_true(share > .2);
@@ -573,8 +576,7 @@ static void the_memory_for_rows_changes_no_byte(void **state)
             scatter(&s.quads[i], &blends[kind]);
         }
         for (int i = 0; i < 3; i++) {
-            rig_open(&rig[i], W, H, bands[i], (enum ph_depth_format)(round % (PH_DEPTH_LINEAR_W + 1)), 64,
-                     triangles[i]);
+            rig_open(&rig[i], W, H, bands[i], ph_depth_formats[round % PH_DEPTH_FORMATS], 64, triangles[i]);
             memset(rig[i].triangles, 0x55 * i, (size_t)triangles[i] * ph_triangle_bytes); /* what it held before */
             draw(&s, &rig[i]);
             rows_seen |= 1u << rig[i].r.rows;

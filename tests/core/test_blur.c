@@ -65,7 +65,8 @@ static void build_random(struct scene *s)
 }
 
 /* exponent: see struct ph_config. */
-static void draw_with(struct rig *rig, const struct scene *s, int band, enum ph_depth_format format, int exponent)
+static void draw_with(struct rig *rig, const struct scene *s, int band, const struct ph_depth_format *format,
+                      int exponent)
 {
     struct ph_projection p;
     rig_open(rig, WIDTH, HEIGHT, band, format, 4 * QUAD_MAX, 4 * QUAD_MAX);
@@ -76,7 +77,7 @@ static void draw_with(struct rig *rig, const struct scene *s, int band, enum ph_
     assert_int_equal(ph_draw_mesh(&rig->r, &s->mesh, &ph_xform_identity), PH_OK);
 }
 
-static void draw(struct rig *rig, const struct scene *s, int band, enum ph_depth_format format)
+static void draw(struct rig *rig, const struct scene *s, int band, const struct ph_depth_format *format)
 {
     draw_with(rig, s, band, format, 0);
 }
@@ -158,7 +159,7 @@ static void picture_is_that_of_a_thin_lens(void **state)
         struct rig sharp, blurred;
         const struct ph_focus focus = {ref_q16(ref_uniform(1.2, 20)), ref_q16(ref_uniform(.5, 8)),
                                        (uint8_t)(1 + i % 7)};
-        const enum ph_depth_format format = (enum ph_depth_format)(i % PH_DEPTH_FORMATS);
+        const struct ph_depth_format *const format = ph_depth_formats[i % PH_DEPTH_FORMATS];
         const int exponent = i < 24 ? 0 : 3 + i / PH_DEPTH_FORMATS % 4;
         double sum = 0;
         build_random(s);

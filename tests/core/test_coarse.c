@@ -76,12 +76,13 @@ static void make_scene(void)
     }
 }
 
-static void draw(unsigned format, uint16_t lines, const struct ph_occlusion *occlusion, uint16_t *pixels)
+static void draw(const struct ph_depth_format *format, uint16_t lines, const struct ph_occlusion *occlusion,
+                 uint16_t *pixels)
 {
     const struct ph_config config = {.width = WIDTH,
                                      .height = HEIGHT,
                                      .band_height = lines,
-                                     .depth_format = (uint8_t)format,
+                                     .depth_format = format,
                                      .occlusion = occlusion,
                                      .vertices = vertices,
                                      .vertex_max = (uint32_t)(sizeof vertices / ph_vertex_bytes),
@@ -112,7 +113,8 @@ static void draw(unsigned format, uint16_t lines, const struct ph_occlusion *occ
 static void pictures_are_the_same_without_it(void **state)
 {
     (void)state;
-    static const uint8_t formats[] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16, PH_DEPTH_FIXED24, PH_DEPTH_LINEAR_W};
+    static const struct ph_depth_format *const formats[] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16, PH_DEPTH_FIXED24,
+                                                            PH_DEPTH_LINEAR_W};
     static const uint16_t heights[] = {8, 16, 24, HEIGHT};
     ph_material_ramp(ramp, 255, 200, 100, 0);
     for (uint32_t scene = 0; scene < SCENES; scene++) {

@@ -122,7 +122,8 @@ static void draw_frame(const struct demo *demo, struct demo_context *context, st
 
 /* triangles: so many, in the memory of vertices too, with room for few slots or none; 0: as many as the demo wants, in
  * memory of their own, and room for slots. */
-static struct film *shoot(const struct demo *demo, uint16_t lines, uint8_t format, uint32_t triangles, bool two)
+static struct film *shoot(const struct demo *demo, uint16_t lines, const struct ph_depth_format *format,
+                          uint32_t triangles, bool two)
 {
     static uint32_t depth[WIDTH * LINES_MAX], bins[HEIGHT];
     struct film *film = calloc(1, sizeof *film);
@@ -166,7 +167,7 @@ static struct film *shoot(const struct demo *demo, uint16_t lines, uint8_t forma
     return film;
 }
 
-static void compare(const struct demo *demo, uint16_t lines, uint8_t format)
+static void compare(const struct demo *demo, uint16_t lines, const struct ph_depth_format *format)
 {
     struct film *alone = shoot(demo, lines, format, 0, false);
     for (when = AT_ONCE; when <= BUSY; when++) {

@@ -41,10 +41,10 @@ static const char *name_of(struct option_depth format)
 static void the_traits_are_those_of_the_formulas(void **state)
 {
     (void)state;
-    static const char *const names[] = {PH_DEPTH_NAMES};
     static const struct {
         const char *name;
-        uint8_t format, coding, bits, bytes;
+        const struct ph_depth_format *format;
+        uint8_t coding, bits, bytes;
     } known[] = {{"auto", PH_DEPTH_AUTO, PH_DEPTH_IS_FIXED, 16, 2},
                  {"fixed16", PH_DEPTH_FIXED16, PH_DEPTH_IS_FIXED, 16, 2},
                  {"float16", PH_DEPTH_FLOAT16, PH_DEPTH_IS_FLOAT, 16, 2},
@@ -52,11 +52,11 @@ static void the_traits_are_those_of_the_formulas(void **state)
                  {"float24", PH_DEPTH_FLOAT24, PH_DEPTH_IS_FLOAT, 24, 4},
                  {"linear-w", PH_DEPTH_LINEAR_W, PH_DEPTH_IS_LINEAR, 16, 2}};
     for (unsigned i = 0; i < sizeof known / sizeof known[0]; i++) {
-        const struct ph_depth_traits *const traits = &ph_depth_traits[known[i].format];
-        assert_int_equal(known[i].format, i); /* what stands in files stays what it was */
-        assert_string_equal(names[known[i].format], known[i].name);
-        assert_int_equal(traits->coding, known[i].coding);
-        assert_int_equal(traits->bits, known[i].bits);
+        const struct ph_depth_format *const format = known[i].format;
+        assert_ptr_equal(ph_depth_formats[i], format); /* what stands in files stays what it was */
+        assert_string_equal(format->name, known[i].name);
+        assert_int_equal(format->coding, known[i].coding);
+        assert_int_equal(format->bits, known[i].bits);
         assert_int_equal(ph_depth_bytes(known[i].format), known[i].bytes);
     }
 }
@@ -64,14 +64,14 @@ static void the_traits_are_those_of_the_formulas(void **state)
 /* A camera with one of the formats. */
 struct bench {
     struct rig rig;
-    enum ph_depth_format format;
+    const struct ph_depth_format *format;
     struct ph_projection projection;
     double near_z, far_z; /* as Q16.16 has them */
 };
 
 static void bench_open(struct bench *b, struct option_depth depth, double near_z, double far_z)
 {
-    const enum ph_depth_format format = (enum ph_depth_format)depth.format;
+    const struct ph_depth_format *const format = depth.format;
     rig_open(&b->rig, SIZE, SIZE, SIZE, format, 4, 2);
     b->rig.r.config.depth_exponent = depth.exponent;
     assert_int_equal(ph_projection_perspective(&b->projection, FX_INT(60), FX_ONE, ref_q16(near_z), ref_q16(far_z)),
@@ -314,7 +314,7 @@ static void leaning_quads_are_off_by_no_more_than_their_corners(void **state)
 
 /* ---- the choice -------------------------------------------------------------------------------------------------- */
 
-static enum ph_depth_format chosen(uint8_t kind, fx_t near_z, fx_t far_z)
+static const struct ph_depth_format *chosen(uint8_t kind, fx_t near_z, fx_t far_z)
 {
     const struct ph_projection p = {.kind = kind, .near_z = near_z, .far_z = far_z};
     return ph_depth_choose(&p);
@@ -323,13 +323,13 @@ static enum ph_depth_format chosen(uint8_t kind, fx_t near_z, fx_t far_z)
 static void fixed16_is_chosen_up_to_64_times_near(void **state)
 {
     (void)state;
-    assert_int_equal(chosen(PH_PERSPECTIVE, FX_ONE, FX_INT(64)), PH_DEPTH_FIXED16);
-    assert_int_equal(chosen(PH_PERSPECTIVE, FX_ONE, FX_INT(64) + 1), PH_DEPTH_FLOAT16);
-    assert_int_equal(chosen(PH_FISHEYE, FX_HALF, FX_INT(32)), PH_DEPTH_FIXED16);
-    assert_int_equal(chosen(PH_FISHEYE, FX_HALF, FX_INT(33)), PH_DEPTH_FLOAT16);
-    assert_int_equal(chosen(PH_PERSPECTIVE, FX_INT(30000), FX_MAX), PH_DEPTH_FIXED16);
-    assert_int_equal(chosen(PH_PERSPECTIVE, 1, FX_MAX), PH_DEPTH_FLOAT16);
-    assert_int_equal(chosen(PH_ORTHOGRAPHIC, FX_MIN, FX_MAX), PH_DEPTH_FIXED16);
+    assert_ptr_equal(chosen(PH_PERSPECTIVE, FX_ONE, FX_INT(64)), PH_DEPTH_FIXED16);
+    assert_ptr_equal(chosen(PH_PERSPECTIVE, FX_ONE, FX_INT(64) + 1), PH_DEPTH_FLOAT16);
+    assert_ptr_equal(chosen(PH_FISHEYE, FX_HALF, FX_INT(32)), PH_DEPTH_FIXED16);
+    assert_ptr_equal(chosen(PH_FISHEYE, FX_HALF, FX_INT(33)), PH_DEPTH_FLOAT16);
+    assert_ptr_equal(chosen(PH_PERSPECTIVE, FX_INT(30000), FX_MAX), PH_DEPTH_FIXED16);
+    assert_ptr_equal(chosen(PH_PERSPECTIVE, 1, FX_MAX), PH_DEPTH_FLOAT16);
+    assert_ptr_equal(chosen(PH_ORTHOGRAPHIC, FX_MIN, FX_MAX), PH_DEPTH_FIXED16);
 }
 
 /* Ulrich's band: a step of more than 1/1000 of the distance invites fighting. */
@@ -379,11 +379,12 @@ static void a_float_has_the_bits_of_exponent_that_resolve_most(void **state)
 }
 
 /* Format and bits of exponent that a frame says it has. */
-static void frame_has(struct ph_renderer *r, const struct ph_projection *p, unsigned asked, int format, int exponent)
+static void frame_has(struct ph_renderer *r, const struct ph_projection *p, unsigned asked,
+                      const struct ph_depth_format *format, int exponent)
 {
     r->config.depth_exponent = (uint8_t)asked;
     assert_int_equal(ph_frame_begin(r, &ph_xform_identity, p, NULL, 0), PH_OK);
-    assert_int_equal(r->stats.depth_format, format);
+    assert_ptr_equal(r->stats.depth_format, format);
     assert_int_equal(r->stats.depth_exponent, exponent);
 }
 
@@ -430,13 +431,13 @@ static void auto_chooses_in_each_frame_and_a_second_camera_keeps_it(void **state
     struct ph_renderer *r = &b.rig.r;
     assert_int_equal(ph_projection_perspective(&deep, FX_INT(60), FX_ONE, FX_ONE, FX_INT(1000)), PH_OK);
     assert_int_equal(ph_frame_begin(r, &ph_xform_identity, &b.projection, NULL, 0), PH_OK);
-    assert_int_equal(r->stats.depth_format, PH_DEPTH_FIXED16);
+    assert_ptr_equal(r->stats.depth_format, PH_DEPTH_FIXED16);
     assert_int_equal(ph_frame_camera(r, &ph_xform_identity, &deep), PH_OK);
-    assert_int_equal(r->stats.depth_format, PH_DEPTH_FIXED16);
+    assert_ptr_equal(r->stats.depth_format, PH_DEPTH_FIXED16);
     assert_int_equal(ph_frame_begin(r, &ph_xform_identity, &deep, NULL, 0), PH_OK);
-    assert_int_equal(r->stats.depth_format, PH_DEPTH_FLOAT16);
+    assert_ptr_equal(r->stats.depth_format, PH_DEPTH_FLOAT16);
     assert_int_equal(ph_frame_camera(r, &ph_xform_identity, &b.projection), PH_OK);
-    assert_int_equal(r->stats.depth_format, PH_DEPTH_FLOAT16);
+    assert_ptr_equal(r->stats.depth_format, PH_DEPTH_FLOAT16);
     rig_close(&b.rig);
 }
 
@@ -444,8 +445,9 @@ static void formats_take_two_or_four_bytes(void **state)
 {
     static const size_t bytes[PH_DEPTH_FORMATS] = {2, 2, 2, 4, 4, 2};
     (void)state;
-    for (unsigned format = 0; format < PH_DEPTH_FORMATS; format++) {
-        assert_int_equal(ph_depth_bytes(format), bytes[format]);
+    for (int f = 0; f < PH_DEPTH_FORMATS; f++) {
+        const struct ph_depth_format *const format = ph_depth_formats[f];
+        assert_int_equal(ph_depth_bytes(format), bytes[f]);
     }
 }
 

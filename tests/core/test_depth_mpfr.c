@@ -92,7 +92,7 @@ static void scale_add(struct exact *e, int up, int64_t add_q16)
 /* A float's bits of exponent, 0 for other formats: the rule of render.h. */
 static int bits_of(const struct exact *e)
 {
-    const bool is_float = ph_depth_traits[e->format->format].coding == PH_DEPTH_IS_FLOAT;
+    const bool is_float = e->format->format->coding == PH_DEPTH_IS_FLOAT;
     const int64_t ratio_up = ((int64_t)e->far_z + e->near_z - 1) / e->near_z;
     return !is_float                  ? 0
            : e->format->exponent != 0 ? e->format->exponent
@@ -126,14 +126,14 @@ static void float_code(struct exact *e)
 static void drawn_code(struct exact *e, fx_t w)
 {
     const int64_t n = e->near_z, f = e->far_z;
-    if (ph_depth_traits[e->format->format].coding == PH_DEPTH_IS_LINEAR) {
+    if (e->format->format->coding == PH_DEPTH_IS_LINEAR) {
         set_ratio(e->d, 511, f - w, 512, f - n);
         scale_add(e, 16, PH_DEPTH_BIAS_FIXED16 & 0xffff0000u);
         e->doubt = 1 / 1024.0;
         return;
     }
     set_ratio(e->d, near512_of(e), f - w, 512 * (int64_t)w, f);
-    const bool is_float = ph_depth_traits[e->format->format].coding == PH_DEPTH_IS_FLOAT;
+    const bool is_float = e->format->format->coding == PH_DEPTH_IS_FLOAT;
     if (is_float) {
         float_code(e);
     } else { /* stretched over all codes */
@@ -399,7 +399,7 @@ static void the_plateaus_of_monotone_formats_are_exact(void **state)
 /* The largest w whose exact code, before it is rounded down, is `code` or more: by the inverse of depth.h. */
 static int64_t inverse(const struct exact *e, uint32_t code)
 {
-    const bool is_float = ph_depth_traits[e->format->format].coding == PH_DEPTH_IS_FLOAT;
+    const bool is_float = e->format->format->coding == PH_DEPTH_IS_FLOAT;
     const double unit = e->format->bits == 24 ? 256 : 1;
     const double biased = code / unit - (is_float ? PH_DEPTH_BIAS_FLOAT16 : PH_DEPTH_BIAS_FIXED16) / 65536.0;
     double d = biased / 65536;
@@ -432,12 +432,11 @@ static int64_t exact_worst(const struct exact *e, uint32_t from, uint32_t to)
 /* The 16-bit formats of w^-1, all codes; 24 bits where they are longest, at the far plane. */
 static void check_worst(struct exact *e, struct lab_probe *p)
 {
-    if (e->format->kind != LAB_DRAWN || ph_depth_traits[e->format->format].coding == PH_DEPTH_IS_LINEAR ||
+    if (e->format->kind != LAB_DRAWN || e->format->format->coding == PH_DEPTH_IS_LINEAR ||
         e->far_z - e->near_z > FX_INT(1000)) {
         return;
     }
-    if (e->format->bits == 24 &&
-        (ph_depth_traits[e->format->format].coding == PH_DEPTH_IS_FLOAT || e->far_z < FX_INT(1000))) {
+    if (e->format->bits == 24 && (e->format->format->coding == PH_DEPTH_IS_FLOAT || e->far_z < FX_INT(1000))) {
         return;
     }
     struct lab_search *s = malloc(sizeof *s);

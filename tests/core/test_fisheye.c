@@ -135,7 +135,7 @@ static int look(const struct scene *s, const struct viewed *v, const struct came
     return found;
 }
 
-static void open_scene(struct rig *rig, int width, int height, int band, enum ph_depth_format format)
+static void open_scene(struct rig *rig, int width, int height, int band, const struct ph_depth_format *format)
 {
     rig_open(rig, width, height, band, format, 4 * QUAD_MAX, 20000);
 }

@@ -318,11 +318,12 @@ static void lines_hide_behind_surfaces(void **state)
 static void depth_bias_lifts_lines_off_their_surface(void **state)
 {
     (void)state;
-    for (int format = PH_DEPTH_AUTO; format < PH_DEPTH_FORMATS; format++) {
+    for (int f = 0; f < PH_DEPTH_FORMATS; f++) {
+        const struct ph_depth_format *const format = ph_depth_formats[f];
         for (int bias = 0; bias <= 16; bias += 16) {
             static const struct shape near = {'n', {{8, 0, -.1}, {8, 24, -.1}, {24, 0, -.1}}};
             struct drawing d;
-            drawing_open_formats(&d, HEIGHT, 64, (enum ph_depth_format)format);
+            drawing_open_formats(&d, HEIGHT, 64, format);
             drawing_begin(&d, NULL);
             draw_shapes(&d, screen, 2);
             draw_shapes(&d, &near, 1);
@@ -495,7 +496,7 @@ static void impossible_configurations_are_refused(void **state)
     bad[3].height = 1025;
     bad[4].band_height = 0;
     bad[5].band_height = HEIGHT + 1;
-    bad[6].depth_format = PH_DEPTH_FORMATS;
+    bad[6].depth_format = NULL;
     bad[7].vertices = NULL;
     bad[8].triangles = NULL;
     bad[9].bins = NULL;
@@ -510,7 +511,9 @@ static void impossible_configurations_are_refused(void **state)
     bad[15].bin_max = 0;
     assert_int_equal(ph_renderer_init(&r, &good), PH_OK);
     for (int i = 0; i < COUNT(bad); i++) {
-        assert_int_equal(ph_renderer_init(&r, &bad[i]), i < COUNT(bad) - 1 ? PH_ERR_INVAL : PH_ERR_NOMEM);
+        assert_int_equal(ph_renderer_init(&r, &bad[i]), i == 6               ? PH_ERR_FORMAT
+                                                        : i < COUNT(bad) - 1 ? PH_ERR_INVAL
+                                                                             : PH_ERR_NOMEM);
     }
     assert_int_equal(ph_renderer_init(&r, NULL), PH_ERR_INVAL);
     assert_int_equal(ph_renderer_init(NULL, &good), PH_ERR_INVAL);

@@ -146,15 +146,16 @@ static void bands_do_not_change_a_line(void **state)
 {
     static const int bands[] = {1, 7, 16, 64};
     (void)state;
-    for (int format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+    for (int f = 1; f < PH_DEPTH_FORMATS; f++) {
+        const struct ph_depth_format *const format = ph_depth_formats[f];
         for (int slope = 0; slope < 2; slope++) {
             struct ph_material material = white;
             struct rig whole_picture, rig;
             material.depth_bias_slope = (uint8_t)slope;
-            rig_open(&whole_picture, WIDE, HIGH, HIGH, (enum ph_depth_format)format, 200, 400);
+            rig_open(&whole_picture, WIDE, HIGH, HIGH, format, 200, 400);
             draw_scene(&whole_picture, &material);
             for (int i = 0; i < 8; i++) {
-                rig_open(&rig, WIDE, HIGH, bands[i / 2], (enum ph_depth_format)format, i % 2 == 0 ? 200 : 8,
+                rig_open(&rig, WIDE, HIGH, bands[i / 2], format, i % 2 == 0 ? 200 : 8,
                          i % 2 == 0 ? 400 : /* few slots */ (int)(6400 / ph_triangle_bytes));
                 draw_scene(&rig, &material);
                 assert_int_equal(rig.r.stats.triangles_dropped, 0);
@@ -222,12 +223,13 @@ static void draw_one(struct rig *rig, const struct strip *s, int line)
 static void depth_is_that_of_a_surface_along_the_line(void **state)
 {
     (void)state;
-    for (int format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+    for (int f = 1; f < PH_DEPTH_FORMATS; f++) {
+        const struct ph_depth_format *const format = ph_depth_formats[f];
         struct rig line, surface;
         int compared = 0;
         ref_seed(11);
-        rig_open(&line, WIDE, HIGH, 16, (enum ph_depth_format)format, 8, 64);
-        rig_open(&surface, WIDE, HIGH, 16, (enum ph_depth_format)format, 8, 64);
+        rig_open(&line, WIDE, HIGH, 16, format, 8, 64);
+        rig_open(&surface, WIDE, HIGH, 16, format, 8, 64);
         const int unit = ph_depth_bytes(line.r.config.depth_format) == 4 ? 256 : 1;
         for (int i = 0; i < 400; i++) {
             struct strip s;

@@ -106,10 +106,20 @@ static void measure_smooth(const struct rig *rig, const struct ref_pixel *pixel,
     }
 }
 
+/* Its place in ph_depth_formats. */
+static int number_of(const struct ph_depth_format *format)
+{
+    int number = 0;
+    while (ph_depth_formats[number] != format) {
+        number++;
+    }
+    return number;
+}
+
 static void measure(const struct rig *rig, const struct ref_scene *scene, const struct ref_picture *ref,
                     enum source source)
 {
-    struct quality *q = &table[source][scene->id][rig->r.stats.depth_format];
+    struct quality *q = &table[source][scene->id][number_of(rig->r.stats.depth_format)];
     q->frames++;
     for (int y = 0; y < HEIGHT; y++) {
         for (int x = 0; x < WIDTH; x++) {
@@ -180,7 +190,7 @@ struct stage {
     struct demo_context context;
 };
 
-static void stage_open(struct stage *stage, const struct ref_scene *scene, enum ph_depth_format format)
+static void stage_open(struct stage *stage, const struct ref_scene *scene, const struct ph_depth_format *format)
 {
     const struct demo *demo = demo_find(demo_names[scene->id]);
     assert_non_null(demo);
@@ -220,7 +230,7 @@ static void measure_frame(struct stage *stage, const struct ref_scene *scene, co
     finish(&stage->demo_rig);
     measure(&stage->demo_rig, scene, ref, DEMO);
 
-    if (format == PH_DEPTH_FIXED16 && scene->id != REF_CUBE && scene->id != REF_FILL) {
+    if (ph_depth_formats[format] == PH_DEPTH_FIXED16 && scene->id != REF_CUBE && scene->id != REF_FILL) {
         static uint8_t count[PIXELS];
         count_draws(&stage->own_rig, mesh, &pose, count);
         compare_counts(ref, count, &table[OWN_MESH][scene->id][format]);
@@ -233,7 +243,7 @@ static void measure_scene(const struct ref_scene *scene)
     struct rig_mesh mesh;
     rig_mesh_build(&mesh, scene);
     for (int format = 1; format <= FORMATS; format++) {
-        stage_open(&stages[format], scene, (enum ph_depth_format)format);
+        stage_open(&stages[format], scene, ph_depth_formats[format]);
     }
     for (int frame = 0; frame <= LAST; frame += STEP) {
         struct ref_picture ref;
@@ -294,9 +304,9 @@ static int print_table(void **state)
         const struct quality *q = &table[source][scene][format];
         char name[OPTION_DEPTH_NAME];
         printf("%-10s %-5s %-8s %8.4f %% %6.0f %6.0f %10.2e %10.2e %6.3f %% %7.2f\n", names[scene],
-               source == DEMO ? "demo" : "own", option_text_depth_name((struct option_depth){(uint8_t)format, 0}, name),
-               coverage_percent(q), q->twice, q->holes, depth_rms(q), distance_rms(q),
-               q->texels > 0 ? wrong_percent(q) : 0,
+               source == DEMO ? "demo" : "own",
+               option_text_depth_name((struct option_depth){ph_depth_formats[format], 0}, name), coverage_percent(q),
+               q->twice, q->holes, depth_rms(q), distance_rms(q), q->texels > 0 ? wrong_percent(q) : 0,
                scene == REF_CUBE || scene == REF_FILL ? 0 : sqrt(q->colour_square / q->smooth));
     }
     return 0;
@@ -338,8 +348,8 @@ static void no_pixel_is_drawn_twice_or_left_out(void **state)
 {
     (void)state;
     for (int scene = 0; scene < REF_SCENES; scene++) {
-        at_most("drawn twice", scene, table[OWN_MESH][scene][PH_DEPTH_FIXED16].twice, 0);
-        at_most("holes", scene, table[OWN_MESH][scene][PH_DEPTH_FIXED16].holes, 0);
+        at_most("drawn twice", scene, table[OWN_MESH][scene][number_of(PH_DEPTH_FIXED16)].twice, 0);
+        at_most("holes", scene, table[OWN_MESH][scene][number_of(PH_DEPTH_FIXED16)].holes, 0);
     }
 }
 
@@ -348,7 +358,7 @@ static void fixed16_depth_is_that_of_the_reference(void **state)
     static const double bars[REF_SCENES] = {1.5e-5, 1.5e-5, 1.5e-5, 1.5e-5, 2e-5};
     (void)state;
     for (int i = 0; i < REF_SCENES * SOURCES; i++) {
-        at_most("depth RMS", i / 2, depth_rms(&table[i % 2][i / 2][PH_DEPTH_FIXED16]), bars[i / 2]);
+        at_most("depth RMS", i / 2, depth_rms(&table[i % 2][i / 2][number_of(PH_DEPTH_FIXED16)]), bars[i / 2]);
     }
 }
 
@@ -356,7 +366,7 @@ static void float16_distance_is_that_of_the_reference(void **state)
 {
     (void)state;
     for (int i = 0; i < REF_SCENES * SOURCES; i++) {
-        at_most("distance RMS", i / 2, distance_rms(&table[i % 2][i / 2][PH_DEPTH_FLOAT16]), 2e-4);
+        at_most("distance RMS", i / 2, distance_rms(&table[i % 2][i / 2][number_of(PH_DEPTH_FLOAT16)]), 2e-4);
     }
 }
 
@@ -369,7 +379,8 @@ static void depth_of_24_bits_is_that_of_the_reference(void **state)
     (void)state;
     for (int i = 0; i < REF_SCENES * SOURCES * 2; i++) {
         const int scene = i / 2 / SOURCES;
-        const struct quality *q = &table[i / 2 % SOURCES][scene][i % 2 ? PH_DEPTH_FLOAT24 : PH_DEPTH_FIXED24];
+        const struct quality *q =
+            &table[i / 2 % SOURCES][scene][number_of(i % 2 ? PH_DEPTH_FLOAT24 : PH_DEPTH_FIXED24)];
         at_most("depth RMS", scene, depth_rms(q), depth[scene]);
         at_most("distance RMS", scene, distance_rms(q), distance[scene]);
     }
@@ -380,7 +391,7 @@ static void linear_w_distance_is_that_of_the_reference(void **state)
 {
     (void)state;
     for (int i = 0; i < REF_SCENES * SOURCES; i++) {
-        at_most("distance RMS", i / 2, distance_rms(&table[i % 2][i / 2][PH_DEPTH_LINEAR_W]),
+        at_most("distance RMS", i / 2, distance_rms(&table[i % 2][i / 2][number_of(PH_DEPTH_LINEAR_W)]),
                 i / 2 == REF_GROUND ? 5e-4 : 2.5e-4);
     }
 }
@@ -397,8 +408,8 @@ static void texels_are_those_of_the_reference(void **state)
 static void nearest_quad_fills_the_picture(void **state)
 {
     (void)state;
-    at_most("wrong pixels", REF_FILL, table[OWN_MESH][REF_FILL][PH_DEPTH_FIXED16].wrong, 0);
-    at_most("wrong pixels", REF_FILL, table[OWN_MESH][REF_FILL][PH_DEPTH_FLOAT16].wrong, 0);
+    at_most("wrong pixels", REF_FILL, table[OWN_MESH][REF_FILL][number_of(PH_DEPTH_FIXED16)].wrong, 0);
+    at_most("wrong pixels", REF_FILL, table[OWN_MESH][REF_FILL][number_of(PH_DEPTH_FLOAT16)].wrong, 0);
 }
 
 /* Light is linear on the screen: on the ground's large triangles before the camera that differs from exact. */
@@ -431,9 +442,9 @@ static void nothing_slipped_from_what_was_reached(void **state)
     for (int i = 0; i < REF_SCENES * SOURCES; i++) {
         int scene = i / SOURCES;
         const struct quality *q = table[i % SOURCES][scene];
-        at_most("coverage %", scene, coverage_percent(&q[PH_DEPTH_FIXED16]), 2 * reached[scene].coverage);
-        at_most("depth RMS", scene, depth_rms(&q[PH_DEPTH_FIXED16]), 1.2 * reached[scene].depth);
-        at_most("distance RMS", scene, distance_rms(&q[PH_DEPTH_FLOAT16]), 1.2 * reached[scene].distance);
+        at_most("coverage %", scene, coverage_percent(&q[number_of(PH_DEPTH_FIXED16)]), 2 * reached[scene].coverage);
+        at_most("depth RMS", scene, depth_rms(&q[number_of(PH_DEPTH_FIXED16)]), 1.2 * reached[scene].depth);
+        at_most("distance RMS", scene, distance_rms(&q[number_of(PH_DEPTH_FLOAT16)]), 1.2 * reached[scene].distance);
     }
 }
 

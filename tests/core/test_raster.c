@@ -251,10 +251,11 @@ static void nearer_surface_wins_in_either_order(void **state)
         "aaaaaaaabbbbbbbb", "aaaaaaaabbbbbbbb", "aaaaaaaabbbbbbbb", "aaaaaaaabbbbbbbb",
     };
     (void)state;
-    for (int format = PH_DEPTH_AUTO; format < PH_DEPTH_FORMATS; format++) {
+    for (int f = 0; f < PH_DEPTH_FORMATS; f++) {
+        const struct ph_depth_format *const format = ph_depth_formats[f];
         for (int first = 0; first < 2; first++) {
             struct drawing d;
-            drawing_open_formats(&d, HEIGHT, 64, (enum ph_depth_format)format);
+            drawing_open_formats(&d, HEIGHT, 64, format);
             drawing_begin(&d, NULL);
             draw_shapes(&d, &shapes[first], 1);
             draw_shapes(&d, &shapes[1 - first], 1);
@@ -271,9 +272,10 @@ static void of_two_equal_depths_the_first_stays(void **state)
                                           {'b', {{1, 1}, {1, 4}, {5, 4}}},
                                           {'b', {{1, 1}, {5, 4}, {5, 1}}}};
     (void)state;
-    for (int format = PH_DEPTH_AUTO; format < PH_DEPTH_FORMATS; format++) {
+    for (int f = 0; f < PH_DEPTH_FORMATS; f++) {
+        const struct ph_depth_format *const format = ph_depth_formats[f];
         struct drawing d;
-        drawing_open_formats(&d, HEIGHT, 64, (enum ph_depth_format)format);
+        drawing_open_formats(&d, HEIGHT, 64, format);
         drawing_begin(&d, NULL);
         draw_shapes(&d, shapes, COUNT(shapes));
         expect(&d, one_square);
@@ -295,10 +297,11 @@ static void bands_of_any_height_give_the_same_bytes(void **state)
     uint32_t depth[HEIGHT * WIDTH];
     uint32_t fragments = 0;
     (void)state;
-    for (int format = PH_DEPTH_AUTO; format < PH_DEPTH_FORMATS; format++) {
+    for (int f = 0; f < PH_DEPTH_FORMATS; f++) {
+        const struct ph_depth_format *const format = ph_depth_formats[f];
         for (int band = HEIGHT; band >= 1; band--) {
             struct drawing d;
-            drawing_open_formats(&d, band, 64, (enum ph_depth_format)format);
+            drawing_open_formats(&d, band, 64, format);
             drawing_begin(&d, NULL);
             draw_shapes(&d, shapes, COUNT(shapes));
             memset(d.rig.pixels, 0x5a, sizeof(pixels));

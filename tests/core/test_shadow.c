@@ -101,7 +101,7 @@ struct view {
     double eye[3];
 };
 
-static void open_view(struct view *v, enum ph_projection_kind kind, enum ph_depth_format format, int band)
+static void open_view(struct view *v, enum ph_projection_kind kind, const struct ph_depth_format *format, int band)
 {
     const struct fx_vec3 eye = {FX_INT(3), FX_INT(7), FX_INT(9)};
     memset(v, 0, sizeof(*v));
@@ -197,7 +197,7 @@ static int compare(const struct view *v, const struct object *o, const double li
 static const struct ph_plane_equation ground = {{0, FX_Q30_ONE, 0}, 0};
 
 static int draw_and_compare(struct object *o, const double light[3], enum ph_projection_kind kind,
-                            enum ph_depth_format format)
+                            const struct ph_depth_format *format)
 {
     struct view v;
     const struct fx_vec3 at = {ref_q16(light[0]), ref_q16(light[1]), ref_q16(light[2])};
@@ -221,8 +221,8 @@ static void shadow_is_what_the_light_does_not_reach(void **state)
         struct object o;
         build(&o, (const double[3]){ref_uniform(-2, 2), ref_uniform(1.6, 3), ref_uniform(-2, 2)}, 1.5);
         const double light[3] = {ref_uniform(-4, 4), ref_uniform(6, 9), ref_uniform(-4, 4)};
-        shadows += draw_and_compare(&o, light, (enum ph_projection_kind)(i % 3),
-                                    (enum ph_depth_format)(i / 3 % PH_DEPTH_FORMATS));
+        shadows +=
+            draw_and_compare(&o, light, (enum ph_projection_kind)(i % 3), ph_depth_formats[i / 3 % PH_DEPTH_FORMATS]);
     }
     assert_true(shadows > 48 * 200);
 }
@@ -320,7 +320,7 @@ static void shadow_does_not_fight_with_the_ground(void **state)
         const double height = .3 + i * .2, distance = 4 + i % 8 * 4;
         const struct fx_vec3 light = {0, FX_INT(30), 0}, eye = {0, ref_q16(height), ref_q16(distance)};
         build(&o, (const double[3]){0, 3, 0}, 3);
-        open_view(&v, PH_PERSPECTIVE, (enum ph_depth_format)(i % PH_DEPTH_FORMATS), SIZE);
+        open_view(&v, PH_PERSPECTIVE, ph_depth_formats[i % PH_DEPTH_FORMATS], SIZE);
         v.view = ph_view_look_at(eye, (struct fx_vec3){0, 0, 0}, (struct fx_vec3){0, FX_ONE, 0});
         to_double(&eye, v.eye);
         assert_int_equal(ph_frame_begin(&v.rig.r, &v.view, &v.projection, NULL, 0), PH_OK);

@@ -177,7 +177,7 @@ static void count_pixel(struct errors *e, const struct scene *s, const struct ri
     e->most = fmax(e->most, best);
 }
 
-static struct errors errors_of(const struct ph_shading *shading, uint8_t filter, enum ph_depth_format format)
+static struct errors errors_of(const struct ph_shading *shading, uint8_t filter, const struct ph_depth_format *format)
 {
     static struct scene s;
     struct rig rig;
@@ -199,7 +199,7 @@ static struct errors errors_of(const struct ph_shading *shading, uint8_t filter,
 }
 
 static void expect_errors(const char *what, const struct ph_shading *shading, uint8_t filter,
-                          enum ph_depth_format format, double mean, double off)
+                          const struct ph_depth_format *format, double mean, double off)
 {
     const struct errors e = errors_of(shading, filter, format);
     const double n = (double)e.pixels, sum = e.sum / n;
@@ -239,7 +239,7 @@ static void light_on_bilinear_texels_is_near(void **state)
 }
 
 /* Draws frame 24 into a picture of its own. */
-static void picture_of(const struct scene *s, int band_height, enum ph_depth_format format, uint16_t *picture)
+static void picture_of(const struct scene *s, int band_height, const struct ph_depth_format *format, uint16_t *picture)
 {
     struct rig rig;
     rig_open(&rig, WIDTH, HEIGHT, band_height, format, s->torus.vertex_count, s->torus.triangle_count);
@@ -256,7 +256,7 @@ static void pictures_do_not_depend_on_bands(void **state)
     static uint16_t whole[WIDTH * HEIGHT], bands[WIDTH * HEIGHT];
     (void)state;
     for (int i = 0; i < 36; i++) {
-        const enum ph_depth_format format = i % 2 ? PH_DEPTH_FLOAT16 : PH_DEPTH_FIXED24;
+        const struct ph_depth_format *const format = i % 2 ? PH_DEPTH_FLOAT16 : PH_DEPTH_FIXED24;
         scene_open(&s, shadings[i / 2 % 3], (uint8_t)(i / 6 % 3));
         s.material.specular = FX_ONE / 2;
         s.texture.wrap = i < 18 ? PH_WRAP_REPEAT : PH_WRAP_CLAMP;

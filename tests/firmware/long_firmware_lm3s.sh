@@ -93,7 +93,7 @@ int main(void)
     static struct runner runner;
     const struct hal hal = port_hal();
     hal.ops->open(hal.context, board_here);
-    const struct runner_config config = {.board = board_here, .band_height = board_here->band_height, .budget_bytes = board_here->scene_bytes,
+    const struct runner_config config = {.board = board_here, .depth_format = PH_DEPTH_AUTO, .band_height = board_here->band_height, .budget_bytes = board_here->scene_bytes,
         .demo = demo_find("cube"), .memory = image_memory, .memory_bytes = image_memory_bytes};
     if (runner_open(&runner, &hal, &config) != 0 || runner_frame(&runner, 0) != 0 || runner_finish(&runner) != 0) { return 1; }
     port_log("frame 0,\\n");

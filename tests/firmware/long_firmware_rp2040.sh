@@ -93,7 +93,7 @@ static void busy(void *us) /* called as run */ { const struct hal hal = port_hal
 int main(void)
 {
     const struct hal hal = port_hal();
-    const struct runner_config config = {.board = board_here, .rotation = board_here->rotation, .band_height = board_here->band_height,
+    const struct runner_config config = {.board = board_here, .depth_format = PH_DEPTH_AUTO, .rotation = board_here->rotation, .band_height = board_here->band_height,
         .budget_bytes = board_here->scene_bytes, .demo = demo_find("cube"), .memory = image_memory, .memory_bytes = image_memory_bytes};
     if (hal.ops->open(hal.context, board_here) != 0 || runner_open(&runner, &hal, &config) != 0 || runner_frame(&runner, 0) != 0 || runner_finish(&runner) != 0) { return 1; }
     (void)overrun;

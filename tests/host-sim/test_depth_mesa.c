@@ -26,7 +26,7 @@ enum { WIDTH = 120, HEIGHT = 90, FORMATS = 3 };
 static const struct {
     const char *name;
     GLenum format;
-    enum ph_depth_format ours; /* of as many bits */
+    const struct ph_depth_format *ours; /* of as many bits */
 } formats[FORMATS] = {{"D16", GL_DEPTH_COMPONENT16, PH_DEPTH_FIXED16},
                       {"D24", GL_DEPTH_COMPONENT24, PH_DEPTH_FIXED24},
                       {"D32F", GL_DEPTH_COMPONENT32F, PH_DEPTH_FLOAT24}};
@@ -108,7 +108,8 @@ static void set_camera(const struct planes_canvas *canvas)
 
 /* ---- the table -------------------------------------------------------------------------------------------- */
 
-static double measure(struct planes_canvas *canvas, enum ph_depth_format format, GLuint buffer, struct planes_lean lean)
+static double measure(struct planes_canvas *canvas, const struct ph_depth_format *format, GLuint buffer,
+                      struct planes_lean lean)
 {
     canvas->draw = NULL;
     if (buffer != 0) {
@@ -149,7 +150,7 @@ static void ours_is_as_fine_as_mesa(void **state)
         const struct planes_lean lean = {distances[i / 4], tilts[i % 4], 0};
         double mesa[FORMATS] = {0}, ours[FORMATS + 1];
         for (int k = 0; k <= FORMATS; k++) {
-            const enum ph_depth_format format = k < FORMATS ? formats[k].ours : PH_DEPTH_FLOAT16;
+            const struct ph_depth_format *const format = k < FORMATS ? formats[k].ours : PH_DEPTH_FLOAT16;
             struct planes_canvas canvas;
             assert_int_equal(depth_planes_open(&canvas, &lab, format), 0);
             set_camera(&canvas);

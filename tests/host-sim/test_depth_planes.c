@@ -158,14 +158,14 @@ static void wrong_winners_are_those_of_rational_numbers(void **state)
     static const double tilts[] = {0, 20, 50, 75, -40}, azimuths[] = {0, 0, 33, -100, 251};
     const struct depth_lab lab = lab_of(0.5, 100, 64, 48);
     uint32_t wrong = 0;
-    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+    for (int k = 1; k < PH_DEPTH_FORMATS; k++) {
+        const struct ph_depth_format *const format = ph_depth_formats[k];
         struct planes_canvas canvas;
-        assert_int_equal(depth_planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
+        assert_int_equal(depth_planes_open(&canvas, &lab, format), 0);
         for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
             struct planes_pair pair;
-            const struct planes_place place =
-                depth_planes_whole(&lab, (struct planes_lean){40, tilts[i], azimuths[i]},
-                                   depth_step_m((enum ph_depth_format)format, &lab, 40) / 2 + 0.00005);
+            const struct planes_place place = depth_planes_whole(&lab, (struct planes_lean){40, tilts[i], azimuths[i]},
+                                                                 depth_step_m(format, &lab, 40) / 2 + 0.00005);
             assert_true(depth_planes_make(&lab, &place, &pair));
             assert_true(depth_planes_front_is_nearer(&pair));
             depth_planes_turn(&canvas, azimuths[i]);
@@ -201,15 +201,15 @@ static void large_separations_are_right_and_small_ones_are_not(void **state)
 {
     (void)state;
     const struct depth_lab lab = lab_of(0.5, 100, 64, 48);
-    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+    for (int k = 1; k < PH_DEPTH_FORMATS; k++) {
+        const struct ph_depth_format *const format = ph_depth_formats[k];
         struct planes_canvas canvas;
-        assert_int_equal(depth_planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
+        assert_int_equal(depth_planes_open(&canvas, &lab, format), 0);
         uint32_t before = UINT32_MAX;
         for (int i = 0; i < 4; i++) {
             const double times = 0.01 * pow(10, i);
             struct planes_pair pair;
-            const double separation =
-                times * depth_planes_predicted_m(&lab, (enum ph_depth_format)format, 50, 0, 0) + 0.00002;
+            const double separation = times * depth_planes_predicted_m(&lab, format, 50, 0, 0) + 0.00002;
             const struct planes_place place = depth_planes_whole(&lab, (struct planes_lean){50, 0, 0}, separation);
             assert_true(depth_planes_make(&lab, &place, &pair));
             const struct planes_count count = depth_planes_count(&canvas, &pair, canvas.verdicts);
@@ -228,12 +228,13 @@ static void sweeps_lie_where_s_min_says(void **state)
     static const double tilts[] = {0, 30, 70};
     const struct depth_lab lab = lab_of(0.5, 100, 120, 90);
     const double grid = 2.0 / 65536;
-    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+    for (int k = 1; k < PH_DEPTH_FORMATS; k++) {
+        const struct ph_depth_format *const format = ph_depth_formats[k];
         struct planes_canvas canvas;
-        assert_int_equal(depth_planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
+        assert_int_equal(depth_planes_open(&canvas, &lab, format), 0);
         for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
             const struct planes_sweep sweep =
-                depth_planes_sweep(&canvas, (enum ph_depth_format)format, (struct planes_lean){50, tilts[i], 0});
+                depth_planes_sweep(&canvas, format, (struct planes_lean){50, tilts[i], 0});
             assert_true(sweep.measured_m <= 1.12 * sweep.at_tilt_m + grid);
             assert_true(sweep.measured_m <= 1.05 * sweep.s_min_m + grid);
             assert_true(sweep.measured_m >= 0.3 * sweep.at_tilt_m);
@@ -280,7 +281,7 @@ static double random_log(uint32_t *state, double least, double most)
 }
 
 /* S_eff at z of planes that face the camera: what `store` predicts. */
-static double store_of(const struct depth_lab *lab, unsigned format, double z)
+static double store_of(const struct depth_lab *lab, const struct ph_depth_format *format, double z)
 {
     static struct lab_probe probe;
     static struct lab_search search;
@@ -294,12 +295,12 @@ static double store_of(const struct depth_lab *lab, unsigned format, double z)
 }
 
 /* The bound is never exceeded, and at most three times what is measured; most: how many times. */
-static void is_bound(const struct depth_lab *lab, unsigned format, double z, enum depth_share share, double measured,
-                     double most)
+static void is_bound(const struct depth_lab *lab, const struct ph_depth_format *format, double z,
+                     enum depth_share share, double measured, double most)
 {
-    const double bound = depth_share_m(share, (enum ph_depth_format)format, lab, z);
+    const double bound = depth_share_m(share, format, lab, z);
     if (measured > bound * (1 + 1e-9) || bound > most * measured) {
-        fail_msg("format %u near %g far %g fov %g %ux%u z %g %s: bound %g, measured %g", format,
+        fail_msg("%s near %g far %g fov %g %ux%u z %g %s: bound %g, measured %g", format->name,
                  depth_metres(lab->near_z), depth_metres(lab->far_z), depth_metres(lab->fov_deg), lab->width,
                  lab->height, z, depth_share_names[share], bound, measured);
     }
@@ -307,9 +308,10 @@ static void is_bound(const struct depth_lab *lab, unsigned format, double z, enu
 
 static void check_shares(const struct depth_lab *lab, double z, double most)
 {
-    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+    for (int k = 1; k < PH_DEPTH_FORMATS; k++) {
+        const struct ph_depth_format *const format = ph_depth_formats[k];
         struct planes_canvas canvas;
-        assert_int_equal(depth_planes_open(&canvas, lab, (enum ph_depth_format)format), 0);
+        assert_int_equal(depth_planes_open(&canvas, lab, format), 0);
         is_bound(lab, format, z, DEPTH_SHARE_INPUT, depth_budget_input_m(&canvas, z), 3);
         is_bound(lab, format, z, DEPTH_SHARE_MATRIX, depth_budget_matrix_m(&canvas, z), 3);
         is_bound(lab, format, z, DEPTH_SHARE_DIVIDE, depth_budget_divide_m(&canvas, z), 3);
@@ -351,7 +353,8 @@ static void store_is_bounded_between_any_planes(void **state)
         const struct depth_lab lab = lab_of(n, f, 240, 240);
         const double between = floor(random_log(&random, n * 1.02, f) * 65536) / 65536;
         const double z = i % 5 == 0 ? depth_metres(lab.far_z) : i % 5 == 1 ? depth_metres(lab.near_z) : between;
-        for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+        for (int k = 1; k < PH_DEPTH_FORMATS; k++) {
+            const struct ph_depth_format *const format = ph_depth_formats[k];
             const double measured = store_of(&lab, format, z);
             is_bound(&lab, format, z, DEPTH_SHARE_STORE, measured, fmax(3, 4 / 65536. / measured));
         }
@@ -376,7 +379,7 @@ static void a_tilted_plane_stays_below_its_bound(void **state)
         const double n = random_log(&random, .05, 5), f = n * random_log(&random, 10, 3000);
         const struct depth_lab lab = lab_of(n, f, 160, 120);
         const double z = random_log(&random, n * 4, f), tilt = i % 4 == 0 ? 0 : 88.9 - random_log(&random, .5, 85);
-        const enum ph_depth_format format = (enum ph_depth_format)(PH_DEPTH_FIXED16 + i % 5);
+        const struct ph_depth_format *const format = ph_depth_formats[1 + i % 5];
         const double azimuth = i % 3 == 0 ? 0 : i % 3 == 1 ? NAN : random_log(&random, 1, 360);
         struct planes_canvas canvas;
         assert_int_equal(depth_planes_open(&canvas, &lab, format), 0);
@@ -384,8 +387,8 @@ static void a_tilted_plane_stays_below_its_bound(void **state)
         const struct planes_sweep sweep = depth_planes_sweep(&canvas, format, (struct planes_lean){z, tilt, azimuth});
         if (isfinite(sweep.measured_m) && (sweep.measured_m > sweep.bound_m + 1e-9 ||
                                            sweep.bound_m > (fabs(tilt) < 76 ? 4 : 12) * sweep.measured_m)) {
-            fail_msg("format %u near %g far %g z %g tilt %g: bound %g, measured %g", format, n, f, z, tilt,
-                     sweep.bound_m, sweep.measured_m);
+            fail_msg("%s near %g far %g z %g tilt %g: bound %g, measured %g", format, n, f, z, tilt, sweep.bound_m,
+                     sweep.measured_m);
         }
         depth_planes_close(&canvas);
     }

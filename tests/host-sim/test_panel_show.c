@@ -140,12 +140,12 @@ static void each_setting_has_its_effect(void **state)
     scene.band = 128;
     scene.depth = (struct option_depth){PH_DEPTH_FLOAT24, 5};
     const uint32_t writes = counters_of(&scene, &d).writes;
-    assert_int_equal(d.runner.renderer.stats.depth_format, PH_DEPTH_FLOAT24);
+    assert_ptr_equal(d.runner.renderer.stats.depth_format, PH_DEPTH_FLOAT24);
     assert_int_equal(d.runner.renderer.stats.depth_exponent, 5);
     scene.band = 8;
     scene.depth = (struct option_depth){PH_DEPTH_FIXED16, 0};
     assert_int_equal(counters_of(&scene, &d).writes, writes + 2 * 15); /* 16 bands a frame for one */
-    assert_int_equal(d.runner.renderer.stats.depth_format, PH_DEPTH_FIXED16);
+    assert_ptr_equal(d.runner.renderer.stats.depth_format, PH_DEPTH_FIXED16);
     scene.demo = demo_find("testcard"); /* nothing moves */
     assert_int_equal(counters_of(&scene, &d).pixels, 2 * pixels);
     scene.diff = true;

@@ -3,16 +3,16 @@
 
 #include <math.h>
 
-static bool is_float(enum ph_depth_format format)
+static bool is_float(const struct ph_depth_format *format)
 {
-    return ph_depth_traits[format].coding == PH_DEPTH_IS_FLOAT;
+    return format->coding == PH_DEPTH_IS_FLOAT;
 }
 
-uint32_t depth_chain(const struct ph_lens *lens, enum ph_depth_format format, fx_t w)
+uint32_t depth_chain(const struct ph_lens *lens, const struct ph_depth_format *format, fx_t w)
 {
     const struct ph_quotient quotient = ph_depth_quotient(lens, w);
     const int down = ph_depth_bytes(format) == 4 ? 8 : 16;
-    if (ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR) {
+    if (format->coding == PH_DEPTH_IS_LINEAR) {
         struct ph_linear linear = lens->linear;
         linear.down = (int8_t)(linear.down - quotient.s);
         return ph_depth_linear(&linear, quotient.q >> 2) >> 16;
@@ -27,11 +27,11 @@ uint32_t depth_chain(const struct ph_lens *lens, enum ph_depth_format format, fx
            down;
 }
 
-double depth_exact(const struct ph_lens *lens, enum ph_depth_format format, double w)
+double depth_exact(const struct ph_lens *lens, const struct ph_depth_format *format, double w)
 {
     const int bits = is_float(format) ? lens->float_down + 1 : 4; /* of exponent */
     const double head_room = 1 - ldexp(1, bits > 4 ? bits - 13 : -9), near_z = lens->near_z, far_z = lens->far_z;
-    if (ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR) {
+    if (format->coding == PH_DEPTH_IS_LINEAR) {
         return 65536 * head_room * (far_z - w) / (far_z - near_z) + 16;
     }
     const double d = fmax(near_z * head_room * (1 / w - 1 / far_z), 0), unit = ph_depth_bytes(format) == 4 ? 256 : 1;
@@ -42,12 +42,12 @@ double depth_exact(const struct ph_lens *lens, enum ph_depth_format format, doub
     return unit * (ldexp(d, 17 - bits + octave) + ldexp(top - octave - 1, 16 - bits) + 8);
 }
 
-double depth_tolerance(enum ph_depth_format format)
+double depth_tolerance(const struct ph_depth_format *format)
 {
     return ph_depth_bytes(format) == 4 ? 1. / 16 : 1. / 64;
 }
 
-bool depth_is_right(const struct ph_lens *lens, enum ph_depth_format format, fx_t w, uint32_t code)
+bool depth_is_right(const struct ph_lens *lens, const struct ph_depth_format *format, fx_t w, uint32_t code)
 {
     const bool deep = is_float(format) && lens->float_down > 3; /* down to the last bits of N/w and N/f: make proof */
     const double tolerance = depth_tolerance(format), off = deep ? 5 * ldexp(1, -30) : ldexp(1, -29);

@@ -19,8 +19,8 @@ static fx_t q16(double v)
     return (fx_t)lrint(v * 65536);
 }
 
-void rig_open(struct rig *rig, int width, int height, int band_height, enum ph_depth_format format, int vertex_max,
-              int triangle_max)
+void rig_open(struct rig *rig, int width, int height, int band_height, const struct ph_depth_format *format,
+              int vertex_max, int triangle_max)
 {
     size_t bands = (size_t)((height + band_height - 1) / band_height);
     size_t pixels = (size_t)width * (size_t)height;
@@ -36,7 +36,7 @@ void rig_open(struct rig *rig, int width, int height, int band_height, enum ph_d
     struct ph_config config = {.width = (uint16_t)width,
                                .height = (uint16_t)height,
                                .band_height = (uint16_t)band_height,
-                               .depth_format = (uint8_t)format,
+                               .depth_format = format,
                                .occlusion = PH_COARSE_DEPTH,
                                .vertices = rig->vertices,
                                .vertex_max = (uint32_t)vertex_max,
@@ -122,14 +122,14 @@ static double complementary(int bits, double code)
     return ldexp(f / octave - (exponent - 1), exponent - (1 << bits));
 }
 
-double rig_format_distance(enum ph_depth_format format, int bits, double code, double near_z, double far_z)
+double rig_format_distance(const struct ph_depth_format *format, int bits, double code, double near_z, double far_z)
 {
     double n = near_z * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
-    if (ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR) {
+    if (format->coding == PH_DEPTH_IS_LINEAR) {
         return far_z - (code - 16) / (65536 * (1 - 1. / 512)) * (far_z - near_z);
     }
     double unit = ph_depth_bytes(format) == 4 ? 256 : 1;
-    if (ph_depth_traits[format].coding == PH_DEPTH_IS_FIXED) {
+    if (format->coding == PH_DEPTH_IS_FIXED) {
         n *= fmin(far_z / (far_z - near_z), 8);
     }
     return n / (complementary(bits, code / unit) + n / far_z);
@@ -138,7 +138,7 @@ double rig_format_distance(enum ph_depth_format format, int bits, double code, d
 double rig_distance(const struct rig *rig, uint32_t code, double near_z, double far_z)
 {
     const struct ph_stats *s = &rig->r.stats;
-    return rig_format_distance((enum ph_depth_format)s->depth_format, s->depth_exponent, code + .5, near_z, far_z);
+    return rig_format_distance(s->depth_format, s->depth_exponent, code + .5, near_z, far_z);
 }
 
 uint16_t rig_fill_colour(int quad)

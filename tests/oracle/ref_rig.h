@@ -19,8 +19,8 @@ struct rig {
 };
 
 /* Aborts when out of memory or when the renderer refuses the configuration. */
-void rig_open(struct rig *rig, int width, int height, int band_height, enum ph_depth_format format, int vertex_max,
-              int triangle_max);
+void rig_open(struct rig *rig, int width, int height, int band_height, const struct ph_depth_format *format,
+              int vertex_max, int triangle_max);
 void rig_close(struct rig *rig);
 
 /* All bands into rig->pixels and rig->depth. False if the bands do not add up to the picture. */
@@ -33,7 +33,7 @@ void rig_begin(struct rig *rig);
 void rig_rgb(const struct rig *rig, int x, int y, double rgb[3]);
 
 /* The distance at which a perspective's depth code would be exactly this number (see depth.h), computed in double. */
-double rig_format_distance(enum ph_depth_format format, int bits, double code, double near_z, double far_z);
+double rig_format_distance(const struct ph_depth_format *format, int bits, double code, double near_z, double far_z);
 
 /* The distance along the view that a depth code stands for: the middle of what it covers; code not 0. */
 double rig_distance(const struct rig *rig, uint32_t code, double near_z, double far_z);

@@ -9,8 +9,8 @@
 static void any_codes(struct ph_renderer *r, struct ph_exact *e)
 {
     r->lens = any_lens();
-    r->depth = ph_depth_traits[u32_between(0, PH_DEPTH_FORMATS - 1)];
-    ASSUME(r->lens.far_s >= 0 || r->depth.coding == PH_DEPTH_IS_FIXED);
+    r->stats.depth_format = ph_depth_formats[u32_between(0, PH_DEPTH_FORMATS - 1)];
+    ASSUME(r->lens.far_s >= 0 || r->stats.depth_format->coding == PH_DEPTH_IS_FIXED);
     set_codes(e, r);
 }
 

@@ -103,7 +103,7 @@ void proof_setting(void)
     struct ph_shading shading = {.corners = (uint8_t)nondet_u32()};
     shading.texturing.set_texels = nondet_u32() != 0 ? set_no_texels : NULL;
     material.shading = nondet_u32() != 0 ? &shading : NULL;
-    r.depth = ph_depth_traits[u32_between(0, PH_DEPTH_FORMATS - 1)];
+    r.stats.depth_format = ph_depth_formats[u32_between(0, PH_DEPTH_FORMATS - 1)];
     r.lens = any_lens();
     const struct ph_antialiasing antialiasing = {.widen = widen_nothing};
     r.config.antialiasing = nondet_u32() != 0 ? &antialiasing : NULL;

@@ -29,27 +29,7 @@ static int flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t
 
 static int begin(unsigned choice)
 {
-    struct ph_config config = {PICTURE_CONFIG};
-    switch (choice % PH_DEPTH_FORMATS) {
-    case 0:
-        config.depth_format = PH_DEPTH_AUTO;
-        break;
-    case 1:
-        config.depth_format = PH_DEPTH_FIXED16;
-        break;
-    case 2:
-        config.depth_format = PH_DEPTH_FLOAT16;
-        break;
-    case 3:
-        config.depth_format = PH_DEPTH_FIXED24;
-        break;
-    case 4:
-        config.depth_format = PH_DEPTH_FLOAT24;
-        break;
-    default:
-        config.depth_format = PH_DEPTH_LINEAR_W;
-        break;
-    }
+    struct ph_config config = {PICTURE_CONFIG, .depth_format = ph_depth_formats[choice % PH_DEPTH_FORMATS]};
     config.samples = choice & 8 ? samples : NULL;
     config.antialiasing = PH_ANTIALIAS_2X2;
     config.cores = PH_TWO_CORES;

@@ -31,7 +31,7 @@ static struct fx_vec3 position(const double corner[3])
     return (struct fx_vec3){q16(corner[0]), q16(HEIGHT - corner[1]), q16(-2 - corner[2])};
 }
 
-void drawing_open_formats(struct drawing *d, int band_height, int triangle_max, enum ph_depth_format format)
+void drawing_open_formats(struct drawing *d, int band_height, int triangle_max, const struct ph_depth_format *format)
 {
     memset(d, 0, sizeof(*d));
     rig_open(&d->rig, WIDTH, HEIGHT, band_height, format, 64, triangle_max);

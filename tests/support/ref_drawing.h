@@ -29,7 +29,7 @@ struct drawing {
 
 /* A picture of black, fixed16, one band. */
 void drawing_open(struct drawing *d);
-void drawing_open_formats(struct drawing *d, int band_height, int triangle_max, enum ph_depth_format format);
+void drawing_open_formats(struct drawing *d, int band_height, int triangle_max, const struct ph_depth_format *format);
 void drawing_close(struct drawing *d);
 
 /* Starts a frame (drawing_open has done so). */

@@ -52,7 +52,7 @@ panel() { # a glass of 240x280 on other rows of its controller; the simulator's 
 }
 
 depth_format() {
-    sed -i 's/^    ROW(FLOAT16, .*/&\n    ROW(MADE_UP,    "made-up",  FIXED,  16,  0,      true) \\/' firmware/core/render.h
+    sed -i 's/^    ROW(float16, .*/&\n    ROW(made_up,    "made-up",  FIXED,  16,  0,      true) \\/' firmware/core/render.h
     took 4 firmware/core/render.h
 }
 
@@ -136,7 +136,8 @@ static uint8_t red_of(const struct ph_shading *shading)
                                  .materials = &material, .vertex_count = 3, .triangle_count = 1, .part_count = 1};
     const struct ph_xform view = ph_xform_translate(0, 0, FX_INT(-3));
     const struct ph_config config = {.width = SIDE, .height = SIDE, .band_height = SIDE, .vertices = vertices, .vertex_max = 16,
-                                     .triangles = list, .triangle_max = 16, .bins = bins, .bin_max = 1, .depth = depth};
+                                     .triangles = list, .triangle_max = 16, .bins = bins, .bin_max = 1,
+                                     .depth = depth, .depth_format = PH_DEPTH_FIXED16};
     struct ph_projection lens;
     ph_material_ramp(ramp, 255, 255, 255, 0);
     return ph_projection_perspective(&lens, FX_INT(45), FX_ONE, FX_HALF, FX_INT(20)) == PH_OK && ph_renderer_init(&r, &config) == PH_OK &&

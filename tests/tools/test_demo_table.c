@@ -33,6 +33,7 @@ static struct shown show(const struct board *board, const struct demo *demo)
     struct sim *const sim = sim_open(board, &hal);
     struct runner runner;
     struct runner_config config = {.board = board,
+                                   .depth_format = PH_DEPTH_AUTO,
                                    .rotation = board->rotation,
                                    .band_height = board->band_height,
                                    .budget_bytes = board->scene_bytes,

@@ -169,10 +169,9 @@ static void draw_right(struct ph_renderer *right, uint32_t band, uint16_t *pixel
 }
 
 /* The name of a depth format in capitals, as far as its first word goes. */
-static void title_of(unsigned format, char title[TITLE])
+static void title_of(const struct ph_depth_format *format, char title[TITLE])
 {
-    static const char *const names[] = {PH_DEPTH_NAMES};
-    const char *const name = names[format];
+    const char *const name = format->name;
     int n = 0;
     for (; n < TITLE - 1 && name[n] != '\0' && name[n] != '-'; n++) {
         title[n] = name[n] >= 'a' && name[n] <= 'z' ? (char)(name[n] - 'a' + 'A') : name[n];
@@ -182,7 +181,7 @@ static void title_of(unsigned format, char title[TITLE])
 
 /* Labels a side whose left border is at x: the format, and the distance of each pair that is large enough. */
 static void label(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
-                  uint16_t *pixels, int32_t x, unsigned format)
+                  uint16_t *pixels, int32_t x, const struct ph_depth_format *format)
 {
     char name[TITLE];
     title_of(format, name);

@@ -134,8 +134,7 @@ static void pairs_row(const struct lab *lab, struct work *work)
 
 static bool is_linear(const struct lab_format *format)
 {
-    return format->kind == LAB_LINEAR ||
-           (format->kind == LAB_DRAWN && ph_depth_traits[format->format].coding == PH_DEPTH_IS_LINEAR);
+    return format->kind == LAB_LINEAR || (format->kind == LAB_DRAWN && format->format->coding == PH_DEPTH_IS_LINEAR);
 }
 
 /* A float format holds d = N/w - F (depth.h). near512 is N in units of 2^-9 LSBs; complement: F is not 0. */

@@ -21,9 +21,9 @@ enum lab_kind { LAB_DRAWN, LAB_NDC_Q16, LAB_RECIP_Q16, LAB_CLIP_Q16, LAB_LINEAR,
 
 struct lab_format {
     const char *name;
-    uint8_t kind;     /* enum lab_kind */
-    uint8_t bits;     /* of the stored code */
-    uint8_t format;   /* LAB_DRAWN: enum ph_depth_format */
+    uint8_t kind;                         /* enum lab_kind */
+    uint8_t bits;                         /* of the stored code */
+    const struct ph_depth_format *format; /* LAB_DRAWN; else NULL */
     uint8_t exponent; /* a float's bits of exponent; 0: as many as the renderer takes for the lens, or no float */
 };
 

@@ -95,7 +95,8 @@ int ph_blur_begin(struct ph_blur *blur, const struct ph_renderer *r, void *scrat
     if (bytes < PH_BLUR_BYTES(width, lines, focus->radius)) {
         return PH_ERR_NOMEM;
     }
-    struct ph_blur b = {.colours = scratch, .radius = focus->radius, .coding = r->depth.coding, .lens = r->lens};
+    struct ph_blur b = {
+        .colours = scratch, .radius = focus->radius, .coding = r->stats.depth_format->coding, .lens = r->lens};
     b.wide = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
     b.lines = (uint32_t)PH_BLUR_LINES(lines, focus->radius);
     b.blurs = (int8_t *)(b.colours + width * b.lines);

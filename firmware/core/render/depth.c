@@ -8,15 +8,6 @@ PH_TIER(mesh) static inline uint32_t fx_rcp_norm(uint32_t w, int *shift);
 
 #include "depth.h"
 
-enum ph_depth_format ph_depth_choose(const struct ph_projection *projection)
-{
-    if (projection->kind == PH_ORTHOGRAPHIC ||
-        projection->far_z <= (int64_t)projection->near_z * PH_DEPTH_FIXED16_RATIO) {
-        return PH_DEPTH_FIXED16;
-    }
-    return PH_DEPTH_FLOAT16;
-}
-
 unsigned ph_depth_choose_exponent(const struct ph_projection *projection)
 {
     const int64_t near_z = projection->near_z;

@@ -70,7 +70,7 @@
 /* How the codes of a frame are made. Under an orthographic projection the distance is linear in d, so d is the code. */
 static inline enum ph_depth_coding ph_depth_coding(const struct ph_renderer *r)
 {
-    const unsigned coding = r->depth.coding;
+    const unsigned coding = r->stats.depth_format->coding;
     return coding == PH_DEPTH_IS_LINEAR && r->lens.kind == PH_ORTHOGRAPHIC ? PH_DEPTH_IS_FIXED
                                                                            : (enum ph_depth_coding)coding;
 }

@@ -28,7 +28,7 @@ static uint32_t code_at(const struct ph_renderer *r, fx_t w)
     } else {
         d[0] = ph_depth_at(lens, (struct ph_quotient){v.q, v.s}, 0) + PH_DEPTH_BIAS_FIXED16;
     }
-    return d[0] >> (32 - r->depth.bits);
+    return d[0] >> (32 - r->stats.depth_format->bits);
 }
 
 void ph_fog_start(struct ph_fog_here *fog, const struct ph_renderer *r, uint16_t colour)

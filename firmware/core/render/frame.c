@@ -10,7 +10,7 @@ static bool is_exponent(unsigned bits)
 
 static bool depth_is_usable(const struct ph_config *config)
 {
-    return config->depth != NULL && config->depth_format < PH_DEPTH_FORMATS && is_exponent(config->depth_exponent) &&
+    return config->depth != NULL && is_exponent(config->depth_exponent) &&
            (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
 }
 
@@ -26,6 +26,9 @@ static int check_config(const struct ph_config *config)
 {
     if (config == NULL) {
         return PH_ERR_INVAL;
+    }
+    if (config->depth_format == NULL) {
+        return PH_ERR_FORMAT;
     }
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
     const int samples_log2 = config->samples != NULL ? 1 : 0;
@@ -74,7 +77,7 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
 
 /* format, exponent: as in ph_stats. */
 static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
-                      unsigned format, unsigned exponent)
+                      const struct ph_depth_format *format, unsigned exponent)
 {
     struct ph_lens lens;
     const int status = ph_lens_of(&lens, projection, r->config.width, r->config.height, format, exponent);
@@ -101,14 +104,15 @@ int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const st
 }
 
 /* Format and bits of exponent, as in ph_stats. */
-static unsigned choose_format(const struct ph_config *config, const struct ph_projection *projection,
-                              unsigned *exponent)
+static const struct ph_depth_format *choose_format(const struct ph_config *config,
+                                                   const struct ph_projection *projection, unsigned *exponent)
 {
-    const unsigned format = config->depth_format == PH_DEPTH_AUTO ? ph_depth_choose(projection) : config->depth_format;
-    const bool is_float = ph_depth_traits[format].coding == PH_DEPTH_IS_FLOAT;
-    *exponent = !is_float                     ? 0
-                : config->depth_exponent != 0 ? config->depth_exponent
-                                              : ph_depth_choose_exponent(projection);
+    const struct ph_depth_format *const named = config->depth_format, *const format = named->choose != NULL
+                                                                                          ? named->choose(projection)
+                                                                                          : named;
+    *exponent = format->coding != PH_DEPTH_IS_FLOAT ? 0
+                : config->depth_exponent != 0       ? config->depth_exponent
+                                                    : ph_depth_choose_exponent(projection);
     return format;
 }
 
@@ -123,7 +127,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
         return PH_ERR_INVAL;
     }
     unsigned exponent;
-    const unsigned format = choose_format(&r->config, projection, &exponent);
+    const struct ph_depth_format *const format = choose_format(&r->config, projection, &exponent);
     const int status = set_camera(r, view, projection, format, exponent);
     if (status != PH_OK) {
         return status;
@@ -132,8 +136,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     r->light = light != NULL ? *light : full;
     r->background = background;
     r->fog = NULL;
-    r->depth = ph_depth_traits[format];
-    r->stats = (struct ph_stats){.depth_format = (uint8_t)format, .depth_exponent = (uint8_t)exponent};
+    r->stats = (struct ph_stats){.depth_format = format, .depth_exponent = (uint8_t)exponent};
     ph_list_begin(r);
     return PH_OK;
 }

@@ -45,7 +45,8 @@ static inline uint32_t ph_lens_near(const struct ph_projection *p, int *shift)
     return (uint32_t)(scaled >> down);
 }
 
-static inline void ph_lens_depth(struct ph_lens *lens, const struct ph_projection *p, unsigned format)
+static inline void ph_lens_depth(struct ph_lens *lens, const struct ph_projection *p,
+                                 const struct ph_depth_format *format)
 {
     lens->near_z = p->near_z;
     lens->far_z = p->far_z;
@@ -55,14 +56,14 @@ static inline void ph_lens_depth(struct ph_lens *lens, const struct ph_projectio
         lens->near_shift = (int8_t)shift;
         return; /* far_q stays 0: d is 0 at the far plane already */
     }
-    const bool is_fixed = ph_depth_traits[format].coding == PH_DEPTH_IS_FIXED;
+    const bool is_fixed = format->coding == PH_DEPTH_IS_FIXED;
     const uint32_t norm = is_fixed ? ph_lens_near(p, &shift) : (uint32_t)p->near_z << shift;
     lens->near_shift = (int8_t)shift;
     lens->depth_scale = norm - (norm >> ph_depth_head(lens));
     const struct ph_quotient far = ph_depth_quotient(lens, p->far_z);
     lens->far_q = far.q;
     lens->far_s = far.s;
-    if (ph_depth_traits[format].coding == PH_DEPTH_IS_LINEAR) {
+    if (format->coding == PH_DEPTH_IS_LINEAR) {
         lens->linear = ph_depth_linear_of(lens);
     }
 }
@@ -70,7 +71,7 @@ static inline void ph_lens_depth(struct ph_lens *lens, const struct ph_projectio
 /* The lens of a projection for a picture of width x height pixels. format, exponent: as in ph_stats. Errors are those
  * of ph_frame_begin; then the lens stays as it was. */
 static inline int ph_lens_of(struct ph_lens *out, const struct ph_projection *p, int32_t width, int32_t height,
-                             unsigned format, unsigned exponent)
+                             const struct ph_depth_format *format, unsigned exponent)
 {
     if ((p->kind == PH_FISHEYE && p->curved == NULL) || p->far_z <= p->near_z ||
         (p->kind != PH_ORTHOGRAPHIC && p->near_z <= 0) || p->scale_x_q20 <= 0 || p->scale_y_q20 <= 0) {

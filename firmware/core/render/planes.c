@@ -360,7 +360,7 @@ static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct ph
                                     const struct ph_vertex *const v[3], uint32_t bias, struct ph_plane *depth,
                                     uint8_t *block)
 {
-    const bool is_short = r->depth.bits <= 16;
+    const bool is_short = r->stats.depth_format->bits <= 16;
     uint32_t d[3];
     *block = ph_block_depths(r, v, bias, d);
     const int halved = depth_plane(s, !is_short || *block != PH_BLOCK_NONE, d, depth);
@@ -370,7 +370,8 @@ static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct ph
     const struct octaves at = octaves_of(d, *block);
     const int octaves = at.far - at.near, down = r->lens.float_down; /* codes are as steep as d in octave `down` */
     round_depth(depth, is_short ? down : ph_max(down - at.near, 0));
-    return halved <= 0 && octaves <= r->depth.octaves && !is_steep(s->sides, depth, ph_max(STEEP + down - at.far, 32));
+    return halved <= 0 && octaves <= r->stats.depth_format->octaves &&
+           !is_steep(s->sides, depth, ph_max(STEEP + down - at.far, 32));
 }
 
 /* Sets depth for linear-w: the plane of N/w, and how it becomes a code. False if 32 bits are not enough. */
@@ -410,7 +411,7 @@ static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct ph
     }
     *block = PH_BLOCK_NONE;
     fixed_depths(r, v, bias, d);
-    return depth_plane(s, !r->depth.is_small, d, plane) <= 0 && !is_steep(s->sides, plane, STEEP);
+    return depth_plane(s, !r->stats.depth_format->is_small, d, plane) <= 0 && !is_steep(s->sides, plane, STEEP);
 }
 
 /* Finds u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */

@@ -222,13 +222,13 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     }
     if (s->fast.material->depth_bias_slope != 0) {
         fits = false;
-    } else if (small && (colours || t->kind == PH_KIND_TEXTURE) && r->depth.is_small) {
+    } else if (small && (colours || t->kind == PH_KIND_TEXTURE) && r->stats.depth_format->is_small) {
         fits = take_small_depth(t, s, v, sides, fits);
     }
     if (!fits && !is_empty(t)) {
         ph_set_exact(r, t->material, v, sides, &t->as.large.depth);
         t->block = PH_BLOCK_EXACT;
-    } else if (fits && t->kind == PH_KIND_GOURAUD && t->block == PH_BLOCK_NONE && r->depth.is_small &&
+    } else if (fits && t->kind == PH_KIND_GOURAUD && t->block == PH_BLOCK_NONE && r->stats.depth_format->is_small &&
                is_tall(r, v, sides) && t->y_top < t->y_bottom) {
         take_tall(t);
     }
@@ -243,7 +243,7 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->r = r;
     s->draw = draw;
     s->fast.base = ph_at(r, draw->base);
-    s->has_codes = r->depth.is_small && material->depth_bias_slope == 0;
+    s->has_codes = r->stats.depth_format->is_small && material->depth_bias_slope == 0;
     s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL && s->has_codes &&
                   (!textured || ph_texels_fit(material->texture));
     s->fast.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
@@ -254,7 +254,7 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->set_texels = textured ? material->shading->texturing.set_texels : NULL;
     s->antialiasing = r->config.antialiasing;
     s->keeps_light = s->source == PH_FROM_LIGHT && s->antialiasing == NULL;
-    s->floats = r->depth.coding == PH_DEPTH_IS_FLOAT;
+    s->floats = r->stats.depth_format->coding == PH_DEPTH_IS_FLOAT;
     s->fast.lens = s->floats ? &r->lens : NULL;
     s->fast.side = PH_SIDE_SMALL;
     s->fast.margin = PH_SIDE_SMALL + 256;

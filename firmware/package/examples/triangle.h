@@ -17,6 +17,7 @@ static int triangle_init(struct ph_renderer *r, enum ph_pixel_order order)
     config.width = WIDTH;
     config.height = HEIGHT;
     config.band_height = BAND;
+    config.depth_format = PH_DEPTH_FIXED16;
     config.depth = triangle_depth;
     config.bins = triangle_bins;
     config.bin_max = HEIGHT / BAND;

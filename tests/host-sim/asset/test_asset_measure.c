@@ -224,7 +224,7 @@ static void the_plan_is_asked_for_the_boards_own_picture(void **state)
     assert_ptr_equal(planned.board, board);
     assert_int_equal(planned.rotation, board->rotation);
     assert_int_equal(planned.band_height, board->band_height);
-    assert_int_equal(planned.depth_format, PH_DEPTH_AUTO);
+    assert_ptr_equal(planned.depth_format, PH_DEPTH_AUTO);
     assert_int_equal(planned_demo.arena_bytes, 4096);
     assert_int_equal(planned_demo.arena_bytes_32, 5096);
     asset_frame_bytes(asset, board, true);

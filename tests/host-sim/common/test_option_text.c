@@ -149,17 +149,17 @@ static void a_depth_format_is_a_name_and_for_floats_an_exponent(void **state)
     (void)state;
     static const struct {
         const char *text;
-        enum ph_depth_format format;
+        const struct ph_depth_format *format;
         unsigned exponent;
     } good[] = {{"auto", PH_DEPTH_AUTO, 0},          {"fixed16", PH_DEPTH_FIXED16, 0},
                 {"fixed24", PH_DEPTH_FIXED24, 0},    {"linear-w", PH_DEPTH_LINEAR_W, 0},
                 {"float16", PH_DEPTH_FLOAT16, 0},    {"float24", PH_DEPTH_FLOAT24, 0},
                 {"float16-e3", PH_DEPTH_FLOAT16, 3}, {"float24-e6", PH_DEPTH_FLOAT24, 6}};
     for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
-        struct option_depth out = {99, 99};
+        struct option_depth out = {NULL, 99};
         char text[OPTION_DEPTH_NAME];
         assert_true(option_text_depth(good[i].text, &out));
-        assert_int_equal(out.format, good[i].format);
+        assert_ptr_equal(out.format, good[i].format);
         assert_int_equal(out.exponent, good[i].exponent);
         assert_string_equal(option_text_depth_name(out, text), good[i].text);
     }
@@ -178,9 +178,9 @@ static void a_depth_format_is_a_name_and_for_floats_an_exponent(void **state)
                                        "fixed24-e3",
                                        "a name that is longer than the room for it-e4"};
     for (size_t i = 0; i < sizeof none / sizeof none[0]; i++) {
-        struct option_depth out = {99, 98};
+        struct option_depth out = {NULL, 98};
         assert_false(option_text_depth(none[i], &out));
-        assert_int_equal(out.format, 99);
+        assert_null(out.format);
         assert_int_equal(out.exponent, 98);
     }
 }

@@ -43,27 +43,21 @@ static long double float_of(long double d, int e)
     return f;
 }
 
-static double defined_code(enum ph_depth_format format, double n, double f, double z, int e)
+static double defined_code(const struct ph_depth_format *format, double n, double f, double z, int e)
 {
     const long double head = e == 5 ? 1 - exp2l(-8) : e == 6 ? 1 - exp2l(-7) : 1 - exp2l(-9);
     const long double fixed_n = (1 - exp2l(-9)) * fminl((long double)n * f / (f - n), 8 * (long double)n);
     const long double fixed = fixed_n / z - fixed_n / f, other = head * n / z - head * n / f;
-    switch (format) {
-    case PH_DEPTH_FIXED16:
-        return (double)(65536 * fixed + 16.25L);
-    case PH_DEPTH_FIXED24:
-        return (double)(16777216 * fixed + 4160);
-    case PH_DEPTH_FLOAT16:
-        return (double)(float_of(other, e) + 8);
-    case PH_DEPTH_FLOAT24:
-        return (double)(256 * (float_of(other, e) + 8));
-    default:
+    if (format == PH_DEPTH_LINEAR_W) {
         return (double)(65408 * ((long double)f - z) / ((long double)f - n) + 16);
     }
+    const bool is_fixed = format == PH_DEPTH_FIXED16 || format == PH_DEPTH_FIXED24;
+    const bool has_24_bits = format == PH_DEPTH_FIXED24 || format == PH_DEPTH_FLOAT24;
+    return (double)((has_24_bits ? 256 : 1) * (is_fixed ? 65536 * fixed + 16.25L : float_of(other, e) + 8));
 }
 
-static const enum ph_depth_format formats[] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16, PH_DEPTH_FIXED24, PH_DEPTH_FLOAT24,
-                                               PH_DEPTH_LINEAR_W};
+static const struct ph_depth_format *const formats[] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16, PH_DEPTH_FIXED24,
+                                                        PH_DEPTH_FLOAT24, PH_DEPTH_LINEAR_W};
 enum { FORMATS = sizeof formats / sizeof formats[0] };
 
 /* Ratios with 3, 4 and 5 bits of exponent, and one where N is 8 n. */

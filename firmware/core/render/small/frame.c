@@ -1,7 +1,7 @@
 /* Renderer and camera of the small profile. See small.h, render.h. */
 #include "small.h"
 
-/* With the traits in this file the compiler leaves out all formats but one. */
+/* With the formats in this file the compiler leaves out all of them but one. */
 #include "../depth_formats.c"
 
 #include "lens.h"
@@ -26,7 +26,7 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
         config->vertices == NULL || config->triangles == NULL || config->depth == NULL ||
         ((uintptr_t)config->vertices | (uintptr_t)config->triangles) % sizeof(void *) != 0 ||
         (uintptr_t)config->depth % sizeof(uint16_t) != 0) {
-        return PH_ERR_INVAL;
+        return config != NULL && config->depth_format == NULL ? PH_ERR_FORMAT : PH_ERR_INVAL;
     }
     r->config.width = config->width;
     r->config.height = config->height;
@@ -66,7 +66,6 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     r->light = light != NULL ? *light : (struct ph_scene_light){.ambient = FX_ONE};
     r->view = *view;
     r->background = background;
-    r->depth = ph_depth_traits[PH_DEPTH_FIXED16];
     r->stats = (struct ph_stats){.depth_format = PH_DEPTH_FIXED16};
     r->vertices = r->room[0];
     r->vertices_end = r->room[0] == r->room[1] ? NULL : r->vertices + r->vertex_max * PH_VERTEX_BYTES_32;
