@@ -240,6 +240,8 @@ enum ph_depth_coding {
     PH_DEPTH_IS_LINEAR, /* the distance itself; slow: a reciprocal per pixel. Orthographic: as FIXED */
 };
 
+struct ph_depth_ways;
+
 /* A depth format: these names are addresses, and a program links what its own format needs, and nothing of the others.
  * PH_DEPTH_AUTO, which names two, takes for each frame what ph_depth_choose() says of its camera. */
 struct ph_depth_format {
@@ -247,6 +249,7 @@ struct ph_depth_format {
     uint8_t coding, bits, octaves; /* see PH_DEPTH_EACH; those of AUTO are what all formats have that it may take */
     bool is_small;
     const struct ph_depth_format *(*choose)(const struct ph_projection *projection); /* AUTO; NULL: the format itself */
+    const struct ph_depth_ways *ways;                                                /* private to the renderer */
 };
 
 extern const struct ph_depth_format ph_depth_auto;
@@ -365,8 +368,10 @@ extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 #define PH_OWN_BYTES       960 /* of the renderer's own, for scenes of few triangles */
 
 struct ph_config {
-    uint16_t width, height;                     /* 1 .. 1024 */
-    uint16_t band_height;                       /* 1 .. height */
+    uint16_t width, height; /* 1 .. 1024 */
+    uint16_t band_height;   /* 1 .. height */
+    uint8_t pixel_order;    /* for ph_show: enum ph_pixel_order */
+    uint8_t depth_exponent; /* FLOAT16 and FLOAT24: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
     const struct ph_depth_format *depth_format; /* PH_DEPTH_...; without one ph_renderer_init() refuses */
 
     void *vertices; /* vertex budget: ph_vertex_bytes each; the largest mesh must fit. What all meshes of a frame need
@@ -392,11 +397,8 @@ struct ph_config {
     const struct ph_occlusion *occlusion;
 
     /* Optional, for ph_show. */
-    void *pixels;        /* width * band_height * ph_pixel_bytes(pixel_order); aligned to 2 bytes */
-    uint16_t *shown;     /* width * height: what was shown last; with it only what changed is sent. Or NULL */
-    uint8_t pixel_order; /* enum ph_pixel_order */
-
-    uint8_t depth_exponent; /* FLOAT16 and FLOAT24: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
+    void *pixels;    /* width * band_height * ph_pixel_bytes(pixel_order); aligned to 2 bytes */
+    uint16_t *shown; /* width * height: what was shown last; with it only what changed is sent. Or NULL */
 
     /* Antialiasing, optional, both or none: room for 4 * width * band_height pixels, 4-byte aligned. Then a pixel is
      * the mean of 2 x 2 samples, depth has 4 times the room as well, and width and height are at most 512. Lower bands

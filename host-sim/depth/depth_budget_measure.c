@@ -163,7 +163,8 @@ static void snapped_corners(const struct planes_canvas *canvas, const struct pla
 }
 
 /* The run of a row that a pixel lies in, of a triangle whose plane has 64 bits. */
-static void find_run(const struct ph_triangle *triangle, int32_t width, int32_t x, int32_t y, struct ph_triangle *run)
+static void find_run(const struct ph_triangle *triangle, const struct ph_depth_format *format, int32_t width, int32_t x,
+                     int32_t y, struct ph_triangle *run)
 {
     const struct ph_band row = {.y0 = y, .y1 = y + 1, .width = width};
     const int half = y >= triangle->as.large.y_mid;
@@ -175,7 +176,7 @@ static void find_run(const struct ph_triangle *triangle, int32_t width, int32_t 
     }
     *run = *triangle;
     while (from <= x) {
-        from += ph_exact_run(triangle, from, to, y, run);
+        from += ph_exact_run(triangle, format->ways->exact, from, to, y, run);
     }
 }
 
@@ -186,7 +187,7 @@ static double code_of(const struct depth_lab *lab, const struct ph_triangle *tri
     struct ph_triangle run;
     const struct ph_triangle *const t = triangle->block == PH_BLOCK_EXACT ? &run : triangle;
     if (t == &run) {
-        find_run(triangle, lab->width, (int32_t)x, (int32_t)y, &run);
+        find_run(triangle, format, lab->width, (int32_t)x, (int32_t)y, &run);
     }
     const struct ph_small_triangle *const small = &t->as.small.rows;
     const struct ph_plane of_small = {small->d - (uint32_t)t->y_top * small->d_dy, small->gd, small->d_dy};

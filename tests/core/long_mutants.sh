@@ -32,7 +32,7 @@ no far plane                             | render/clip.c    | s/lens->far_z - v-
 depth gradients without guard bits       | render/planes.c  | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/; s/(uint32_t)depth.[xy] \* 256/& \& ~0x3ffu/ | test_quality
 float16 spans not split at octaves       | render/planes.c  | s/if (!ph_depth_in_octave(d.*{/if (false) {/         | test_quality
 fixed16 bias without its quarter         | render/planes.c  | s/PH_DEPTH_BIAS_FIXED16 +/((uint32_t)16 << 16) +/    | test_depth
-codes of near ranges left unused         | render/lens.h    | s/is_fixed ? ph_lens_near(p, &shift) : //         | test_depth
+codes of near ranges left unused         | render/lens.h    | s/ways->set_near != NULL ? .* : (uint32_t)/(uint32_t)/ | test_depth
 float24 as coarse as float16             | render/span.h    | s/d >> 8;/d >> 16 << 8;/                             | test_depth
 the last of equal 24-bit depths wins     | render/span.h    | s/code <= \*depth/code < *depth/                     | test_raster
 the last of equal depths wins            | render/span.h    | s/code > \*depth/code >= *depth/                     | test_raster

@@ -6,12 +6,13 @@
 #define DEPTHS POWER(40) /* N/w - N/f is below 1 */
 
 /* How a lens's depth becomes codes. */
-static void any_codes(struct ph_renderer *r, struct ph_exact *e)
+static const struct ph_exact_ways *any_codes(struct ph_renderer *r, struct ph_exact *e)
 {
     r->lens = any_lens();
-    r->stats.depth_format = ph_depth_formats[u32_between(0, PH_DEPTH_FORMATS - 1)];
+    r->stats.depth_format = ph_depth_formats[u32_between(1, PH_DEPTH_FORMATS - 1)];
     ASSUME(r->lens.far_s >= 0 || r->stats.depth_format->coding == PH_DEPTH_IS_FIXED);
     set_codes(e, r);
+    return ph_depth_ways(r)->exact;
 }
 
 void proof_in_40_bits(void)
@@ -45,7 +46,7 @@ void proof_set_run(void)
     struct ph_linear *const linear = &from.as.large.depth.over_w.linear;
     struct ph_material material;
     from.material = &material;
-    any_codes(&r, e);
+    const struct ph_exact_ways *const ways = any_codes(&r, e);
     any_triangle(&t);
     in_view(&r.lens, &t);
     const int a = t.at[0].s, b = t.at[1].s, c = t.at[2].s, ab = a < b ? a : b, least = ab < c ? ab : c;
@@ -56,7 +57,7 @@ void proof_set_run(void)
     linear->down = (int8_t)(linear->down - least); /* setup_linear */
     const int octave = octave_of(e, d);
     CLAIM(octave >= 0 && octave <= 31);
-    set_run(&from, d, octave, u32_between(0, 1023), u32_between(0, 1023), &run);
+    set_run(&from, ways, d, octave, u32_between(0, 1023), u32_between(0, 1023), &run);
 }
 
 void proof_linear_code(void)
@@ -74,9 +75,9 @@ void proof_range_of(void)
 {
     struct ph_renderer r;
     struct ph_exact e;
-    any_codes(&r, &e);
+    const struct ph_exact_ways *const ways = any_codes(&r, &e);
     const uint64_t d = (uint64_t)i64_between(0, (DEPTHS << 16) - 1);
-    range_of(&e, octave_of(&e, d));
+    range_of(&e, ways, octave_of(&e, d));
 }
 
 void proof_rows(void)
@@ -85,9 +86,13 @@ void proof_rows(void)
     struct ph_material material;
     struct ph_triangle t, run;
     t.material = &material;
-    any_codes(&r, &t.as.large.depth.as.exact);
+    const struct ph_exact_ways *const ways = any_codes(&r, &t.as.large.depth.as.exact);
     const int32_t y = i32_between(0, 1023);
-    const struct ph_exact_strip strip = {y, i32_between(y + 1, 1024), i32_between(1, 1024)};
+    struct ph_exact_strip strip; /* with any edges */
+    strip.rows.y = y;
+    strip.rows.y_end = i32_between(y + 1, 1024);
+    strip.width = i32_between(1, 1024);
+    strip.ways = ways;
     ph_exact_rows(&t, &strip, &run);
 }
 
@@ -117,9 +122,9 @@ void proof_run(void)
     struct ph_material material;
     struct ph_triangle t, run;
     t.material = &material;
-    any_codes(&r, &t.as.large.depth.as.exact);
+    const struct ph_exact_ways *const ways = any_codes(&r, &t.as.large.depth.as.exact);
     const int32_t x = i32_between(0, 1023), x_end = i32_between(x + 1, 1024);
-    const int32_t count = ph_exact_run(&t, x, x_end, i32_between(0, 1023), &run);
+    const int32_t count = ph_exact_run(&t, ways, x, x_end, i32_between(0, 1023), &run);
     CLAIM(count >= 1 && count <= x_end - x);
 }
 
@@ -129,11 +134,11 @@ void proof_lift(void)
     struct ph_renderer r;
     struct ph_exact e;
     struct ph_linear linear;
-    any_codes(&r, &e);
+    const struct ph_exact_ways *const ways = any_codes(&r, &e);
     linear = r.lens.linear;
     const uint64_t low = (uint64_t)i64_between(0, (DEPTHS << 16) - 1);
     store(e.low, low);
     store(e.size, (uint64_t)i64_between(0, (DEPTHS << 16) - 1 - (int64_t)low));
-    lift(&e, &linear, u32_between(1, 255));
+    lift(&e, ways, &linear, u32_between(1, 255));
     CLAIM(load(e.low) + load(e.size) < (uint64_t)DEPTHS << 16);
 }

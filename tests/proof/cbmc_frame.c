@@ -12,7 +12,7 @@ void proof_camera(void)
     r.config.height = (uint16_t)u32_between(1, 1024);
     r.stats.depth_exponent = (uint8_t)u32_between(0, 6);
     ASSUME(r.stats.depth_exponent == 0 || r.stats.depth_exponent >= 3);
-    r.stats.depth_format = ph_depth_formats[u32_between(0, PH_DEPTH_FORMATS - 1)];
+    r.stats.depth_format = ph_depth_formats[u32_between(1, PH_DEPTH_FORMATS - 1)];
     p.kind = u32_between(PH_PERSPECTIVE, PH_ORTHOGRAPHIC);
     if (ph_frame_camera(&r, &view, &p) == PH_OK) {
         const struct ph_lens *lens = &r.lens;

@@ -152,7 +152,7 @@ void proof_setup_depth(void)
     uint8_t block;
     r.lens = any_lens();
     in_view(&r.lens, &t);
-    r.stats.depth_format = ph_depth_formats[u32_between(0, PH_DEPTH_FORMATS - 1)];
+    r.stats.depth_format = ph_depth_formats[u32_between(1, PH_DEPTH_FORMATS - 1)];
     setup_depth(&r, &base, &m, t.v, &depth, &block);
 }
 

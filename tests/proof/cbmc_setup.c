@@ -75,8 +75,9 @@ void proof_small_depths(void)
     any_triangle(&t);
     r.lens = any_lens();
     in_view(&r.lens, &t);
+    r.stats.depth_format = nondet_i32() > 0 ? PH_DEPTH_FLOAT16 : PH_DEPTH_FIXED16;
     const struct ph_setting s = {
-        .r = &r, .fast.material = &material, .fast.bias = nondet_u32(), .floats = nondet_i32() > 0};
+        .r = &r, .fast.material = &material, .fast.bias = nondet_u32(), .octaves = ph_depth_ways(&r)->octaves};
     small_depths(&s, t.v, d, &block);
 }
 
@@ -103,7 +104,7 @@ void proof_setting(void)
     struct ph_shading shading = {.corners = (uint8_t)nondet_u32()};
     shading.texturing.set_texels = nondet_u32() != 0 ? set_no_texels : NULL;
     material.shading = nondet_u32() != 0 ? &shading : NULL;
-    r.stats.depth_format = ph_depth_formats[u32_between(0, PH_DEPTH_FORMATS - 1)];
+    r.stats.depth_format = ph_depth_formats[u32_between(1, PH_DEPTH_FORMATS - 1)];
     r.lens = any_lens();
     const struct ph_antialiasing antialiasing = {.widen = widen_nothing};
     r.config.antialiasing = nondet_u32() != 0 ? &antialiasing : NULL;

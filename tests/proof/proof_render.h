@@ -28,7 +28,6 @@ static inline uint32_t fx_rcp16(uint32_t d)
     return u32_between(1 << 15, (1 << 16) - 1);
 }
 
-#include "../../firmware/core/render/depth_formats.c"
 #include "depth.h"
 
 #define LEAST_Q (((uint32_t)1 << 30) - ((uint32_t)1 << 23)) /* 2^30 (1 - 2^-7): Gappa, with 6 bits of exponent */
@@ -46,6 +45,8 @@ static inline int64_t ph_wide_area(const struct ph_sides *s)
     (void)s;
     return i64_between(1, POWER(42) - 1); /* proof_area */
 }
+
+#include "../../firmware/core/render/depth_formats.c"
 
 static inline struct ph_lens lens_of(uint32_t kind)
 {

@@ -2,6 +2,7 @@
 #ifndef PH_BAND_H
 #define PH_BAND_H
 
+#include "depth_ways.h"
 #include "edge.h"
 
 struct ph_coarse; /* coarse.h */
@@ -13,7 +14,8 @@ struct ph_band {
     bool depth24;     /* depth codes have 24 bits */
     uint16_t stride;  /* pixels from row to row */
     int32_t y0, y1, width;
-    struct ph_coarse *coarse; /* of these rows; NULL: none is kept */
+    struct ph_coarse *coarse;         /* of these rows; NULL: none is kept */
+    const struct ph_depth_ways *ways; /* of the frame's format */
 };
 
 /* The address of pixel n of a depth buffer, whose codes have 16 or 24 bits. */

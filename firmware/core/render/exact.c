@@ -53,6 +53,19 @@ static void set_plane(struct ph_exact *e, const int64_t d[3], const struct ph_ve
     store(e->size, (uint64_t)((high > 0 ? high : 0) - least) << 16);
 }
 
+/* Depths that become codes with one slope: bottom .. bottom + size. */
+struct range {
+    uint64_t bottom, size;
+};
+
+/* Where codes have octaves; a fixed format has none of it. */
+struct ph_exact_ways {
+    struct range (*range_of)(const struct ph_exact *e, int octave);
+    /* linear-w; else NULL */
+    void (*lift)(const struct ph_exact *e, struct ph_linear *linear, uint64_t by);
+    void (*set_scale)(const struct ph_triangle *t, int octave, struct ph_triangle *run);
+};
+
 /* How depth becomes codes. */
 PH_TIER(seldom) static void set_codes(struct ph_exact *e, const struct ph_renderer *r)
 {
@@ -92,8 +105,18 @@ PH_TIER(seldom) static uint32_t linear_code(const struct ph_exact *e, const stru
     return ph_depth_linear(&l, in_codes(over_w, e->unit - octave, 0));
 }
 
+PH_TIER(seldom) static void lift_linear(const struct ph_exact *e, struct ph_linear *linear, uint64_t by)
+{
+    const uint64_t low = load(e->low), high = low + load(e->size);
+    const uint32_t codes = (linear_code(e, linear, low + by) - linear_code(e, linear, low)) >> 16;
+    const uint32_t most = (UINT32_MAX - linear_code(e, linear, high)) >> 16, bias = linear->bias;
+    const uint32_t more = codes < most ? codes : most;
+    linear->bias = (uint8_t)(bias + more < 255 ? bias + more : 255);
+}
+
 /* Moves the plane towards the viewer: see depth_bias_slope in render.h. */
-PH_TIER(seldom) static void lift(struct ph_exact *e, struct ph_linear *linear, uint32_t slope)
+PH_TIER(seldom)
+static void lift(struct ph_exact *e, const struct ph_exact_ways *ways, struct ph_linear *linear, uint32_t slope)
 {
     const uint64_t top = ((uint64_t)1 << 56) - ((uint64_t)1 << 47); /* where the codes have room for depth_bias */
     const uint64_t low = load(e->low), size = load(e->size), high = low + size, room = high < top ? top - high : 0;
@@ -102,10 +125,7 @@ PH_TIER(seldom) static void lift(struct ph_exact *e, struct ph_linear *linear, u
     const uint64_t part = (right > below ? right : below) >> 4,
                    by = part < fx_quotient_u64(size, slope) ? part * slope : size;
     if (e->coding == PH_DEPTH_IS_LINEAR) {
-        const uint32_t codes = (linear_code(e, linear, low + by) - linear_code(e, linear, low)) >> 16;
-        const uint32_t most = (UINT32_MAX - linear_code(e, linear, high)) >> 16, bias = linear->bias;
-        const uint32_t more = codes < most ? codes : most;
-        linear->bias = (uint8_t)(bias + more < 255 ? bias + more : 255);
+        ways->lift(e, linear, by);
         return;
     }
     const uint64_t up = by < room ? by : room;
@@ -127,23 +147,22 @@ void ph_set_exact(const struct ph_renderer *r, const struct ph_material *materia
     }
     set_plane(e, d, v[0], sides);
     if (material->depth_bias_slope != 0) {
-        lift(e, &depth->over_w.linear, material->depth_bias_slope);
+        lift(e, ph_depth_ways(r)->exact, &depth->over_w.linear, material->depth_bias_slope);
     }
 }
 
-/* Depths that become codes with one slope: bottom .. bottom + size. */
-struct range {
-    uint64_t bottom, size;
-};
-
 /* The octave of a depth in the corners' range, cut off where that ends. */
-PH_TIER(seldom) static struct range range_of(const struct ph_exact *e, int octave)
+PH_TIER(seldom) static struct range octave_range(const struct ph_exact *e, int octave)
 {
     const uint64_t low = load(e->low), high = low + load(e->size), half = (uint64_t)1 << (55 - octave);
     const uint64_t first = e->coding == PH_DEPTH_IS_FLOAT && octave == lowest_of(e) ? 0 : half;
-    const uint64_t bottom = e->coding != PH_DEPTH_IS_FIXED && first > low ? first : low;
-    const uint64_t top = e->coding != PH_DEPTH_IS_FIXED && 2 * half - 1 < high ? 2 * half - 1 : high;
+    const uint64_t bottom = first > low ? first : low, top = 2 * half - 1 < high ? 2 * half - 1 : high;
     return (struct range){bottom, top - bottom};
+}
+
+static inline struct range range_of(const struct ph_exact *e, const struct ph_exact_ways *ways, int octave)
+{
+    return e->coding == PH_DEPTH_IS_FIXED ? (struct range){load(e->low), load(e->size)} : ways->range_of(e, octave);
 }
 
 static inline bool holds(const struct range *range, uint64_t d)
@@ -189,8 +208,8 @@ static void scale_linear(const struct ph_triangle *t, int octave, struct ph_tria
 
 /* The plane of a run, through d at pixel (x, y). */
 PH_TIER(seldom)
-static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_t x, uint32_t y,
-                    struct ph_triangle *run)
+static void set_run(const struct ph_triangle *t, const struct ph_exact_ways *ways, uint64_t d, int octave, uint32_t x,
+                    uint32_t y, struct ph_triangle *run)
 {
     const struct ph_exact *const e = &t->as.large.depth.as.exact;
     const int down = e->unit - octave;
@@ -199,9 +218,12 @@ static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_
     run->as.large.depth.as.plane = (struct ph_plane){in_codes(d, down, 0) + offset - x * gx - y * gy, gx, gy};
     run->block = PH_BLOCK_NONE;
     if (e->coding == PH_DEPTH_IS_LINEAR) {
-        scale_linear(t, octave, run);
+        ways->set_scale(t, octave, run);
     }
 }
+
+const struct ph_exact_ways ph_exact_float = {.range_of = octave_range};
+const struct ph_exact_ways ph_exact_linear = {.range_of = octave_range, .lift = lift_linear, .set_scale = scale_linear};
 
 /* The outline of a run: rows y .. y_end - 1 between two edges, which are given at row y. */
 PH_TIER(seldom)
@@ -236,13 +258,13 @@ bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *str
                    y1 = (uint32_t)strip->rows.y_end - 1;
     const uint64_t d = depth_at(e, x0, y0);
     const int octave = octave_of(e, d);
-    const struct range range = range_of(e, octave);
+    const struct range range = range_of(e, strip->ways, octave);
     if (d - load(e->low) > load(e->size) || !holds(&range, depth_at(e, x1, y0)) ||
         !holds(&range, depth_at(e, x0, y1)) || !holds(&range, depth_at(e, x1, y1))) {
         return false;
     }
     const uint32_t x_mid = (x0 + x1) / 2, y_mid = (y0 + y1) / 2; /* there the rounding of the gradients counts least */
-    set_run(t, depth_at(e, x_mid, y_mid), octave, x_mid, y_mid, run);
+    set_run(t, strip->ways, depth_at(e, x_mid, y_mid), octave, x_mid, y_mid, run);
     set_rows(run, strip->rows.y, strip->rows.y_end, strip->rows.left, strip->rows.right);
     return true;
 }
@@ -261,7 +283,8 @@ PH_TIER(seldom) static uint32_t pixels_in(const struct range *range, uint64_t d,
 }
 
 PH_TIER(seldom)
-int32_t ph_exact_run(const struct ph_triangle *t, int32_t x, int32_t x_end, int32_t y, struct ph_triangle *run)
+int32_t ph_exact_run(const struct ph_triangle *t, const struct ph_exact_ways *ways, int32_t x, int32_t x_end, int32_t y,
+                     struct ph_triangle *run)
 {
     const struct ph_exact *const e = &t->as.large.depth.as.exact;
     const uint64_t low = load(e->low), size = load(e->size);
@@ -274,11 +297,11 @@ int32_t ph_exact_run(const struct ph_triangle *t, int32_t x, int32_t x_end, int3
     }
     const int octave = octave_of(e, d);
     if (!clamped && n > 1) {
-        const struct range range = range_of(e, octave);
+        const struct range range = range_of(e, ways, octave);
         count = pixels_in(&range, d, load(e->gx), n);
     }
     const uint32_t mid = (count - 1) / 2;
-    set_run(t, d + mid * load(e->gx), octave, (uint32_t)x + mid, (uint32_t)y, run);
+    set_run(t, ways, d + mid * load(e->gx), octave, (uint32_t)x + mid, (uint32_t)y, run);
     set_rows(run, y, y + 1, (struct ph_edge){x * 65536, 0}, (struct ph_edge){(x + (int32_t)count) * 65536, 0});
     return (int32_t)count;
 }

@@ -19,6 +19,9 @@
 #define PH_EXACT_RUN  512 /* pixels; the rounded step of a run is half a 24-bit code off at its ends */
 #define PH_EXACT_ROWS 16  /* a strip of rows begins at each multiple */
 
+/* How depth becomes codes in the frame's format; NULL in the fixed formats. Only formats name these. */
+extern const struct ph_exact_ways ph_exact_float, ph_exact_linear;
+
 /* Makes an exact plane of a depth for which 32 bits are not enough; `over_w` is set already. */
 void ph_set_exact(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                   const struct ph_sides *sides, struct ph_depth *depth);
@@ -27,6 +30,7 @@ void ph_set_exact(const struct ph_renderer *r, const struct ph_material *materia
 struct ph_exact_strip {
     struct ph_half_rows rows;
     int32_t width; /* of the picture */
+    const struct ph_exact_ways *ways;
 };
 
 /* Makes `run`, a copy of t, these rows, if their depth is in one octave and far from the ends of the range. Else
@@ -34,6 +38,7 @@ struct ph_exact_strip {
 bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *strip, struct ph_triangle *run);
 
 /* Makes `run`, a copy of t, the next run of a row from pixel (x, y) on. Returns its pixels, at least one. */
-int32_t ph_exact_run(const struct ph_triangle *t, int32_t x, int32_t x_end, int32_t y, struct ph_triangle *run);
+int32_t ph_exact_run(const struct ph_triangle *t, const struct ph_exact_ways *ways, int32_t x, int32_t x_end, int32_t y,
+                     struct ph_triangle *run);
 
 #endif

@@ -14,14 +14,14 @@
 static uint32_t code_at(const struct ph_renderer *r, fx_t w)
 {
     const struct ph_lens *const lens = &r->lens;
-    const enum ph_depth_coding coding = ph_depth_coding(r);
+    const struct ph_depth_ways *const ways = ph_depth_ways(r);
     struct ph_vertex v = {.code = 0};
     const struct ph_vertex *const corners[3] = {&v, &v, &v};
     uint32_t d[3];
     ph_vertex_depth(&v, ph_depth_quotient(lens, w));
-    if (coding == PH_DEPTH_IS_FLOAT) {
-        ph_block_depths(r, corners, 0, d);
-    } else if (coding == PH_DEPTH_IS_LINEAR) {
+    if (ways->block_depths != NULL) {
+        ways->block_depths(r, corners, 0, d);
+    } else if (ph_depth_coding(r) == PH_DEPTH_IS_LINEAR) {
         struct ph_linear linear = lens->linear;
         linear.down = (int8_t)(linear.down - v.s);
         d[0] = ph_depth_linear(&linear, v.q >> 2);

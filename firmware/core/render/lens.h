@@ -5,6 +5,7 @@
 #ifndef PH_LENS_H
 #define PH_LENS_H
 
+#include "depth_ways.h"
 #include "edge.h"
 #include "fisheye.h"
 
@@ -56,15 +57,15 @@ static inline void ph_lens_depth(struct ph_lens *lens, const struct ph_projectio
         lens->near_shift = (int8_t)shift;
         return; /* far_q stays 0: d is 0 at the far plane already */
     }
-    const bool is_fixed = format->coding == PH_DEPTH_IS_FIXED;
-    const uint32_t norm = is_fixed ? ph_lens_near(p, &shift) : (uint32_t)p->near_z << shift;
+    const struct ph_depth_ways *const ways = format->ways;
+    const uint32_t norm = ways->set_near != NULL ? ways->set_near(p, &shift) : (uint32_t)p->near_z << shift;
     lens->near_shift = (int8_t)shift;
     lens->depth_scale = norm - (norm >> ph_depth_head(lens));
     const struct ph_quotient far = ph_depth_quotient(lens, p->far_z);
     lens->far_q = far.q;
     lens->far_s = far.s;
-    if (format->coding == PH_DEPTH_IS_LINEAR) {
-        lens->linear = ph_depth_linear_of(lens);
+    if (ways->linear_of != NULL) {
+        lens->linear = ways->linear_of(lens);
     }
 }
 

@@ -231,10 +231,10 @@ static inline bool end_codes(const struct ph_setting *s, const struct ph_vertex 
         return false;
     }
     const struct ph_vertex *const v[3] = {a, b, b};
-    if (!s->floats) {
+    if (s->octaves == NULL) {
         d[0] = ph_depth_before(ph_depth_of(a), 0, 0) + s->fast.bias;
         d[1] = ph_depth_before(ph_depth_of(b), 0, 0) + s->fast.bias;
-    } else if (!ph_float_depths(&s->r->lens, v, s->fast.bias, d)) {
+    } else if (!s->octaves->set_codes(&s->r->lens, v, s->fast.bias, d)) {
         return false;
     }
     return (d[0] ^ d[1]) >> 31 == 0;
@@ -297,7 +297,7 @@ static PH_NOINLINE void draw_any(const struct ph_triangle *t, int32_t skipped, i
     for (step(&l, skipped); count > 0; step(&l, 1), count--) {
         const int32_t across = l.across >> 16, x = l.x_major ? l.along : across, y = l.x_major ? across : l.along;
         if (t->block == PH_BLOCK_EXACT) {
-            ph_exact_run(&flat, x, x + 1, y, &pixel);
+            ph_exact_run(&flat, band->ways->exact, x, x + 1, y, &pixel);
         }
         ph_draw_pixel(&pixel, x, y, band);
     }

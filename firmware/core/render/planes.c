@@ -354,12 +354,11 @@ PH_TIER(scenery) static void round_depth(struct ph_plane *plane, int bits)
     plane->gy = (plane->gy + half) & mask;
 }
 
-/* Sets depth in a float format. False if 32 bits are not enough. */
 PH_TIER(scenery)
-static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct ph_plane_base *s,
-                                    const struct ph_vertex *const v[3], uint32_t bias, struct ph_plane *depth,
-                                    uint8_t *block)
+bool ph_set_float(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                  uint32_t bias, struct ph_depth *any, uint8_t *block)
 {
+    struct ph_plane *const depth = &any->as.plane;
     const bool is_short = r->stats.depth_format->bits <= 16;
     uint32_t d[3];
     *block = ph_block_depths(r, v, bias, d);
@@ -374,10 +373,38 @@ static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct ph
            !is_steep(s->sides, depth, ph_max(STEEP + down - at.far, 32));
 }
 
-/* Sets depth for linear-w: the plane of N/w, and how it becomes a code. False if 32 bits are not enough. */
-static PH_NOINLINE bool setup_linear(const struct ph_renderer *r, const struct ph_plane_base *s,
-                                     const struct ph_vertex *const v[3], uint32_t bias, struct ph_depth *depth)
+/* Sets depth in a fixed format; exact: as depth_plane has it. */
+static inline bool set_fixed(const struct ph_renderer *r, const struct ph_plane_base *s,
+                             const struct ph_vertex *const v[3], uint32_t bias, bool exact, struct ph_plane *plane)
 {
+    uint32_t d[3];
+    fixed_depths(r, v, bias, d);
+    return depth_plane(s, exact, d, plane) <= 0 && !is_steep(s->sides, plane, STEEP);
+}
+
+PH_TIER(scenery)
+bool ph_set_fixed16(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                    uint32_t bias, struct ph_depth *depth, uint8_t *block)
+{
+    *block = PH_BLOCK_NONE;
+    return set_fixed(r, s, v, bias, false, &depth->as.plane);
+}
+
+PH_TIER(scenery)
+bool ph_set_fixed24(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                    uint32_t bias, struct ph_depth *depth, uint8_t *block)
+{
+    *block = PH_BLOCK_NONE;
+    return set_fixed(r, s, v, bias, true, &depth->as.plane);
+}
+
+bool ph_set_linear(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                   uint32_t bias, struct ph_depth *depth, uint8_t *block)
+{
+    if (r->lens.kind == PH_ORTHOGRAPHIC) { /* the distance is linear in d */
+        return ph_set_fixed24(r, s, v, bias, depth, block);
+    }
+    *block = PH_BLOCK_LINEAR;
     struct ph_linear *const linear = &depth->over_w.linear;
     const int least = least_exponent(v);
     const uint32_t w[3] = {corner_over_w(v[0], least), corner_over_w(v[1], least), corner_over_w(v[2], least)};
@@ -393,25 +420,11 @@ static PH_NOINLINE bool setup_linear(const struct ph_renderer *r, const struct p
 }
 
 /* Sets depth and block of a triangle. False if 32 bits are not enough. */
-PH_TIER(scenery)
-static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct ph_plane_base *s,
-                                    const struct ph_material *material, const struct ph_vertex *const v[3],
-                                    struct ph_depth *depth, uint8_t *block)
+static inline bool setup_depth(const struct ph_renderer *r, const struct ph_plane_base *s,
+                               const struct ph_material *material, const struct ph_vertex *const v[3],
+                               struct ph_depth *depth, uint8_t *block)
 {
-    const uint32_t bias = ph_depth_bias(material);
-    const enum ph_depth_coding coding = ph_depth_coding(r);
-    struct ph_plane *const plane = &depth->as.plane;
-    uint32_t d[3];
-    if (coding == PH_DEPTH_IS_FLOAT) {
-        return setup_float(r, s, v, bias, plane, block);
-    }
-    if (coding == PH_DEPTH_IS_LINEAR) {
-        *block = PH_BLOCK_LINEAR;
-        return setup_linear(r, s, v, bias, depth);
-    }
-    *block = PH_BLOCK_NONE;
-    fixed_depths(r, v, bias, d);
-    return depth_plane(s, !r->stats.depth_format->is_small, d, plane) <= 0 && !is_steep(s->sides, plane, STEEP);
+    return ph_depth_ways(r)->set_plane(r, s, v, ph_depth_bias(material), depth, block);
 }
 
 /* Finds u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */

@@ -2,6 +2,7 @@
 #ifndef PH_PLANES_H
 #define PH_PLANES_H
 
+#include "depth_ways.h"
 #include "shading.h"
 #include "sides.h"
 #include "triangle.h"
@@ -62,7 +63,18 @@ void ph_set_knee(struct ph_triangle *t, const uint32_t d[3]);
 bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
                     const uint32_t d[3]);
 
-/* Sets depth and block. False if 32 bits are not enough: see exact.h. */
+/* Set depth and block in one format; `bias` in codes of fixed16 or eighths of codes of float16. False if 32 bits are
+ * not enough: see exact.h. Only formats name them. */
+bool ph_set_fixed16(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                    uint32_t bias, struct ph_depth *depth, uint8_t *block);
+bool ph_set_fixed24(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                    uint32_t bias, struct ph_depth *depth, uint8_t *block);
+bool ph_set_float(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                  uint32_t bias, struct ph_depth *depth, uint8_t *block);
+bool ph_set_linear(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                   uint32_t bias, struct ph_depth *depth, uint8_t *block);
+
+/* Sets depth and block in the format of the frame. False if 32 bits are not enough: see exact.h. */
 bool ph_set_depth(const struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                   const struct ph_sides *sides, struct ph_depth *depth, uint8_t *block);
 

@@ -17,10 +17,10 @@
 #include "shading.h"
 
 /* Draws the rows of a small triangle that are left. */
-static inline uint32_t draw_left(const struct ph_triangle *t, const struct ph_small_triangle *r,
-                                 const struct ph_place *at)
+static inline uint32_t draw_left(const struct ph_triangle *t, const struct ph_band *band,
+                                 const struct ph_small_triangle *r, const struct ph_place *at)
 {
-    return t->kind == PH_KIND_SMALL_KNEE ? ph_small_knee(r, at->depth, at->pixels, 2 * at->stride)
+    return t->kind == PH_KIND_SMALL_KNEE ? band->ways->octaves->draw_knee(r, at->depth, at->pixels, 2 * at->stride)
                                          : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
 }
 
@@ -29,25 +29,7 @@ PH_TIER(loop) static PH_NOINLINE uint32_t draw_cut(const struct ph_triangle *t, 
 {
     struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = ph_cut_rows(t, band, &r);
-    return draw_left(t, &r, &at);
-}
-
-/* Draws a small triangle that crosses octaves. */
-PH_TIER(scenery) static PH_NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph_band *band)
-{
-    struct ph_small_triangle r = t->as.small.rows;
-    const struct ph_place at = ph_cut_rows(t, band, &r);
-    return ph_draw_rows_split(t, &r, at, NULL);
-}
-
-/* Draws a small textured triangle that crosses octaves. */
-PH_TIER(few) static PH_NOINLINE uint32_t draw_split_texture(const struct ph_triangle *t, const struct ph_band *band)
-{
-    struct ph_small_triangle r = t->as.small.rows;
-    const struct ph_place at = ph_cut_rows(t, band, &r);
-    struct ph_small_texels texels;
-    t->material->shading->texturing.begin_texels(&texels, t, t->y_top > band->y0 ? t->y_top : band->y0, 2 * at.stride);
-    return ph_draw_rows_split(t, &r, at, &texels);
+    return draw_left(t, band, &r, &at);
 }
 
 /* Draws a small triangle. Only the borders of the band can cut it. */
@@ -67,7 +49,7 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
     }
     if (t->kind == PH_KIND_SMALL_TEXTURE) {
         return t->block == PH_BLOCK_NONE ? t->material->shading->texturing.draw_texels(t, band)
-                                         : draw_split_texture(t, band);
+                                         : band->ways->octaves->draw_split(t, band);
     }
     if (PH_TEXTURE_KNEE && t->kind == PH_KIND_SMALL_TEXTURE_KNEE) {
         return t->material->shading->texturing.draw_texels(t, band);
@@ -76,7 +58,7 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
         return draw_cut(t, band);
     }
     if (t->kind == PH_KIND_SMALL_SPLIT) {
-        return draw_split(t, band);
+        return band->ways->octaves->draw_split(t, band);
     }
     if (t->kind == PH_KIND_SMALL_LONG) {
         return t->as.small.of.antialiasing->draw_long(t, band);
@@ -132,12 +114,12 @@ PH_TIER(scenery) uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_b
     if (rows < upper_rows) {
         small->upper_rows = (uint16_t)rows;
         small->lower_rows = 0;
-        const uint32_t count = draw_left(t, small, &at);
+        const uint32_t count = draw_left(t, band, small, &at);
         ph_skip_upper_rows(small, rows, upper_rows, lower_rows);
         return count;
     }
     small->lower_rows = (uint16_t)(rows - upper_rows);
-    const uint32_t count = draw_left(t, small, &at);
+    const uint32_t count = draw_left(t, band, small, &at);
     ph_skip_rows_of(small, rows, upper_rows, lower_rows);
     return count;
 }

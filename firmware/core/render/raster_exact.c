@@ -20,7 +20,7 @@ static uint32_t draw_exact_rows(const struct ph_triangle *t, const struct ph_ban
     for (; in.y < in.y_end; in.y++) {
         int32_t x, to;
         for (ph_next_row(&in.left, &in.right, band->width, &x, &to); x < to;) {
-            x += ph_exact_run(t, x, to, in.y, run);
+            x += ph_exact_run(t, band->ways->exact, x, to, in.y, run);
             count += ph_draw_large(run, band);
         }
     }
@@ -37,7 +37,7 @@ PH_TIER(seldom) uint32_t ph_draw_exact(const struct ph_triangle *t, const struct
     for (rows.y0 = rows.y0 > t->y_top ? rows.y0 : t->y_top; rows.y0 < t->y_bottom && rows.y0 < band->y1;
          rows.y0 = rows.y1) {
         const int32_t half_end = rows.y0 < y_mid ? y_mid : t->y_bottom, end = (rows.y0 | (PH_EXACT_ROWS - 1)) + 1;
-        struct ph_exact_strip strip = {.width = band->width};
+        struct ph_exact_strip strip = {.width = band->width, .ways = band->ways->exact};
         rows.y1 = end < half_end ? end : half_end;
         ph_rows_of_half_apart(t, &rows, rows.y0 >= y_mid, &strip.rows);
         count += ph_exact_rows(t, &strip, &run) ? ph_draw_large(&run, band) : draw_exact_rows(t, band, &rows, &run);

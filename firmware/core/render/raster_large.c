@@ -10,9 +10,12 @@
 
 PH_TIER(loop) uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const bool gouraud16 = t->kind == PH_KIND_GOURAUD && t->block != PH_BLOCK_LINEAR && !band->depth24;
+    const bool in_codes = t->block != PH_BLOCK_LINEAR && !band->depth24;
+    if (t->kind == PH_KIND_GOURAUD && in_codes) {
+        return ph_draw_long(t, band);
+    }
     return t->kind == PH_KIND_TEXTURE   ? t->material->shading->texturing.draw_textured(t, band)
            : t->kind == PH_KIND_COLOURS ? ph_draw_colours(t, band)
-           : gouraud16                  ? ph_draw_long(t, band)
-                                        : ph_walk(t, band);
+           : in_codes                   ? ph_walk_flat(t, band)
+                                        : band->ways->walk(t, band);
 }

@@ -174,9 +174,10 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_sma
 }
 
 /* Draws the rows of a triangle that crosses octaves. Most of its rows do not. */
-uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
+uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, const struct ph_place *place,
                             struct ph_small_texels *texels)
 {
+    struct ph_place at = *place;
     struct ph_octave octave = {0}, next; /* none yet */
     next.bottom = next.size = 0;
     uint32_t count = 0;
@@ -200,10 +201,22 @@ uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangl
     return count;
 }
 
+PH_TIER(scenery) uint32_t ph_draw_split(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_small_triangle r = t->as.small.rows;
+    const struct ph_place at = ph_cut_rows(t, band, &r);
+    if (t->kind != PH_KIND_SMALL_TEXTURE) {
+        return ph_draw_rows_split(t, &r, &at, NULL);
+    }
+    struct ph_small_texels texels;
+    t->material->shading->texturing.begin_texels(&texels, t, ph_max(t->y_top, band->y0), 2 * at.stride);
+    return ph_draw_rows_split(t, &r, &at, &texels);
+}
+
 /* Draws so many rows of a Gouraud triangle that is not small; r stands at the first of them. */
 PH_TIER(scenery)
-static uint32_t draw_long_rows(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
-                               uint32_t rows)
+static uint32_t draw_long_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_small_triangle *r,
+                               struct ph_place at, uint32_t rows)
 {
     uint32_t count = 0;
     while (rows > 0) {
@@ -216,7 +229,7 @@ static uint32_t draw_long_rows(const struct ph_triangle *t, struct ph_small_tria
             }
             step_rows(r, n);
         } else {
-            count += ph_draw_rows_split(t, r, at, NULL);
+            count += band->ways->octaves->draw_rows_split(t, r, &at, NULL);
         }
         at.depth += n * at.stride;
         at.pixels += n * at.stride;
@@ -248,7 +261,7 @@ PH_TIER(scenery) uint32_t ph_draw_long(const struct ph_triangle *t, const struct
             r.d = depth->base + (uint32_t)in.y * depth->gy;
             r.light = light->base + (uint32_t)in.y * light->gy;
             const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride, true};
-            count += draw_long_rows(t, &r, at, (uint32_t)(in.y_end - in.y));
+            count += draw_long_rows(t, band, &r, at, (uint32_t)(in.y_end - in.y));
         }
     }
     return count;

@@ -62,8 +62,12 @@ struct ph_place ph_cut_rows(const struct ph_triangle *t, const struct ph_band *b
 /* Draws the part of a Gouraud triangle that lies in the band, with depth of 16 bits. Returns the pixels tested. */
 uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band);
 
+/* Draws the part of a small triangle that lies in the band; it crosses octaves, and may have a texture. Only formats
+ * name this function and the next one. */
+uint32_t ph_draw_split(const struct ph_triangle *t, const struct ph_band *band);
+
 /* Draws the rows of r, which crosses octaves. texels: NULL without a texture. */
-uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
+uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, const struct ph_place *place,
                             struct ph_small_texels *texels);
 
 #endif

@@ -55,7 +55,7 @@ static uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *ban
     struct ph_place at = ph_cut_rows(t, band, &r);
     if (t->block != PH_BLOCK_NONE) {
         at.long_rows = true;
-        return ph_draw_rows_split(t, &r, at, NULL);
+        return band->ways->octaves->draw_rows_split(t, &r, &at, NULL);
     }
     return ph_long_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
 }

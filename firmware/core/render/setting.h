@@ -15,7 +15,6 @@ struct ph_setting {
     bool is_fast;         /* ph_setup_fast knows such triangles */
     bool has_fast_texels; /* ... and all but u and v of such triangles, which are textured */
     bool has_codes;       /* depth of small triangles and lines is stepped in codes */
-    bool floats;          /* float16, else fixed16 */
     bool keeps_light;     /* a small triangle keeps the light that ph_setup_small has set: else see ph_set_fast_light */
     uint8_t source;       /* enum ph_source */
     struct ph_fast fast;  /* base: with PH_DRAW_UVS a struct ph_corner; ramp: the material's, or its colour as the only
@@ -23,6 +22,7 @@ struct ph_setting {
     bool (*set_texels)(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                        const fx_t *const uv[3]); /* of the shading, see shading.h; PH_FROM_TEXELS only */
     const struct ph_antialiasing *antialiasing;  /* pixels are samples; else NULL */
+    const struct ph_octave_ways *octaves;        /* float16; else NULL */
     const struct ph_renderer *r;
     const struct ph_draw *draw;
 };

@@ -75,9 +75,9 @@ static inline bool small_depths(const struct ph_setting *s, const struct ph_vert
 {
     const struct ph_renderer *r = s->r;
     *block = PH_BLOCK_NONE;
-    if (s->floats) {
-        if (!ph_float_depths(&r->lens, v, s->fast.bias, d)) {
-            *block = ph_block_depths(r, v, ph_depth_bias(s->fast.material), d);
+    if (s->octaves != NULL) {
+        if (!s->octaves->set_codes(&r->lens, v, s->fast.bias, d)) {
+            *block = ph_depth_ways(r)->block_depths(r, v, ph_depth_bias(s->fast.material), d);
         }
         return true;
     }
@@ -128,7 +128,7 @@ static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rend
     struct ph_small_triangle *const small = &t->as.small.rows;
     struct ph_depth any;
     uint8_t block = PH_BLOCK_NONE;
-    if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_small_plane_does(d, t->block)) {
+    if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_depth_ways(r)->octaves->small_plane_does(d, t->block)) {
         small->d = ph_block_rounded(small->d, t->block); /* rounded: see planes.c; the gradients are multiples of 256 */
         return true;
     }
@@ -237,13 +237,14 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
 PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw)
 {
     const struct ph_material *const material = draw->material;
+    const struct ph_depth_format *const format = r->stats.depth_format;
     const unsigned corners = ph_lit_corners_of(material);
     const bool lit = corners != PH_NO_CORNER && !ph_takes_texture(material) && material->ramp != NULL;
     const bool textured = ph_is_textured(material);
     s->r = r;
     s->draw = draw;
     s->fast.base = ph_at(r, draw->base);
-    s->has_codes = r->stats.depth_format->is_small && material->depth_bias_slope == 0;
+    s->has_codes = format->is_small && material->depth_bias_slope == 0;
     s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL && s->has_codes &&
                   (!textured || ph_texels_fit(material->texture));
     s->fast.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
@@ -254,8 +255,8 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->set_texels = textured ? material->shading->texturing.set_texels : NULL;
     s->antialiasing = r->config.antialiasing;
     s->keeps_light = s->source == PH_FROM_LIGHT && s->antialiasing == NULL;
-    s->floats = r->stats.depth_format->coding == PH_DEPTH_IS_FLOAT;
-    s->fast.lens = s->floats ? &r->lens : NULL;
+    s->octaves = format->ways->octaves;
+    s->fast.lens = s->octaves != NULL ? &r->lens : NULL;
     s->fast.side = PH_SIDE_SMALL;
     s->fast.margin = PH_SIDE_SMALL + 256;
     s->fast.inner_x = r->inner_x;
@@ -268,8 +269,9 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
         s->is_small && r->inner_x > 0 && r->inner_y > 0 && (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0;
     s->is_fast = fast && !textured;
     s->has_fast_texels = fast && textured;
-    s->fast.bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
-                             : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
+    s->fast.bias = s->octaves != NULL
+                       ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
+                       : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
 }
 
 /* Sets the light of a small triangle whose corners share one light. */
@@ -294,9 +296,9 @@ PH_TIER(mesh) void ph_set_fast_light(const struct ph_setting *s, const struct ph
 }
 
 /* ph_set_knee for a small textured triangle. */
-static inline void set_texture_knee(struct ph_triangle *t, const uint32_t d[3])
+static inline void set_texture_knee(const struct ph_setting *s, struct ph_triangle *t, const uint32_t d[3])
 {
-    ph_set_knee(t, d);
+    s->octaves->set_knee(t, d);
     t->kind = t->kind == PH_KIND_SMALL_KNEE ? PH_KIND_SMALL_TEXTURE_KNEE : t->kind;
 }
 
@@ -338,7 +340,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         if (!s->set_texels(t, r, v, uv)) {
             setup_other(s, v, uv, sides, small, t);
         } else if (PH_TEXTURE_KNEE && t->block != PH_BLOCK_NONE && t->as.small.of.map.fast) {
-            set_texture_knee(t, d);
+            set_texture_knee(s, t, d);
         }
     } else {
         if (excess == LONG_ROWS) {
@@ -346,7 +348,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
             t->as.small.of.antialiasing = s->antialiasing;
         } else if (t->block != PH_BLOCK_NONE) {
             t->kind = PH_KIND_SMALL_SPLIT;
-            ph_set_knee(t, d);
+            s->octaves->set_knee(t, d);
         }
         set_light(s, v[0], t);
     }
