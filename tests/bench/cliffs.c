@@ -24,16 +24,17 @@
 #define TRIANGLES 2600
 #define PX        631 /* a pixel at z = -2, Q16.16 */
 #define LOG2      6
+#define LOG2_MOST 10
 
 static uint64_t arena_bytes[ARENA / 8], vertices[VERTICES * 8], triangles[TRIANGLES * 20];
 static uint32_t depth[WIDTH * HEIGHT], bins[HEIGHT];
-static uint16_t pixels[WIDTH * HEIGHT], samples[4 * WIDTH * 16], texels[1 << 2 * LOG2], ramp[PH_RAMP_SIZE];
+static uint16_t pixels[WIDTH * HEIGHT], samples[4 * WIDTH * 16], texels[1 << 2 * LOG2_MOST], ramp[PH_RAMP_SIZE];
 
 static struct fx_vec3 positions[VERTICES];
 static int16_t normals[VERTICES][3];
 static fx_t uvs[VERTICES][2];
 static uint16_t corners[TRIANGLES][3], edges[1][2];
-static struct ph_texture texture = {.texels = texels, .log2_width = LOG2, .log2_height = LOG2, .wrap = PH_WRAP_REPEAT};
+static struct ph_texture texture;
 static struct ph_material material;
 static struct ph_part part;
 static struct ph_mesh mesh;
@@ -138,7 +139,7 @@ static void set_material(const struct ph_shading *shading)
                                     .colour = ph_rgb565(255, 160, 64),
                                     .ramp = ramp,
                                     .texture = &texture};
-    texture.wrap = PH_WRAP_REPEAT;
+    texture = (struct ph_texture){.texels = texels, .log2_width = LOG2, .log2_height = LOG2, .wrap = PH_WRAP_REPEAT};
     mesh = (struct ph_mesh){.positions = positions,
                             .normals = (const int16_t(*)[3])normals,
                             .uvs = (const fx_t(*)[2])uvs,
@@ -236,6 +237,38 @@ static void textures(void)
     measure("texture-4-pixels", "usual", TRIANGLE, &view);
     field(PH_SHADE_TEXTURE, 23, 23, 600);
     measure("texture-4-pixels", "cliff", TRIANGLE, &view);
+}
+
+/* A square, or a field of small triangles, with a texture of 2^log2 texels in width and height. */
+static void measure_size(const char *name, const char *variant, uint8_t filter, bool small, uint8_t log2)
+{
+    const struct view view = usual();
+    if (small) {
+        field(PH_SHADE_TEXTURE, 8 * 20, 8 * 20, 100);
+    } else {
+        square(PH_SHADE_TEXTURE, 0, FX_ONE);
+    }
+    texture.filter = filter;
+    texture.log2_width = texture.log2_height = log2;
+    measure(name, variant, PIXEL, &view);
+}
+
+/* Large textures against one of 256 texels in width and height. */
+static void texture_sizes(void)
+{
+    static const struct {
+        const char *name;
+        uint8_t filter, log2;
+        bool small;
+    } pair[] = {
+        {"texture-512", PH_FILTER_NEAREST, 9, false},        {"texture-1024", PH_FILTER_NEAREST, 10, false},
+        {"bilinear-512", PH_FILTER_BILINEAR, 9, false},      {"bilinear-1024", PH_FILTER_BILINEAR, 10, false},
+        {"small-512", PH_FILTER_NEAREST, 9, true},           {"small-1024", PH_FILTER_NEAREST, 10, true},
+        {"small-bilinear-512", PH_FILTER_BILINEAR, 9, true}, {"small-bilinear-1024", PH_FILTER_BILINEAR, 10, true}};
+    for (size_t i = 0; i < sizeof pair / sizeof pair[0]; i++) {
+        measure_size(pair[i].name, "usual", pair[i].filter, pair[i].small, 8);
+        measure_size(pair[i].name, "cliff", pair[i].filter, pair[i].small, pair[i].log2);
+    }
 }
 
 /* One colour over another: the same triangles, opaque and blended. */
@@ -443,6 +476,7 @@ int main(void)
     }
     ph_material_ramp(ramp, 255, 160, 64, 0);
     textures();
+    texture_sizes();
     blends();
     inner_loops();
     shapes();

@@ -32,6 +32,7 @@ static const struct ref_lens lens = {WIDTH, HEIGHT, .5, 100};
 /* A square of `size` with `tiles` repeats of the texture across; v runs down. */
 struct square {
     double size, tiles;
+    double across[2]; /* texels in a repeat, along u and v */
     struct fx_vec3 positions[4];
     fx_t uvs[4][2];
     struct ph_material material;
@@ -49,6 +50,7 @@ static void square_build(struct square *s, double size, double tiles, enum ph_wr
     static const double corners[4][2] = {{-.5, -.5}, {.5, -.5}, {.5, .5}, {-.5, .5}};
     s->size = size;
     s->tiles = tiles;
+    s->across[0] = s->across[1] = TEXELS;
     for (int i = 0; i < 4; i++) {
         s->positions[i] = (struct fx_vec3){ref_q16(corners[i][0] * size), ref_q16(corners[i][1] * size), 0};
         s->uvs[i][0] = ref_q16(corners[i][0] * tiles);
@@ -60,6 +62,19 @@ static void square_build(struct square *s, double size, double tiles, enum ph_wr
     s->texture =
         (struct ph_texture){.texels = s->texels, .log2_width = LOG2, .log2_height = LOG2, .wrap = (uint8_t)wrap};
     s->material = (struct ph_material){.shading = PH_SHADE_TEXTURE, .texture = &s->texture};
+}
+
+/* Enlarges the texture of square_build, which then stands in it over and over. */
+static void enlarge(struct ph_texture *texture, uint8_t log2_width, uint8_t log2_height)
+{
+    static uint16_t texels[1 << 20];
+    const int width = 1 << log2_width, height = 1 << log2_height;
+    for (int i = 0; i < width * height; i++) {
+        texels[i] = (uint16_t)(i / width % TEXELS * TEXELS + i % width % TEXELS);
+    }
+    texture->texels = texels;
+    texture->log2_width = log2_width;
+    texture->log2_height = log2_height;
 }
 
 static void square_draw(struct rig *rig, const struct square *s, const struct ref_plane *p)
@@ -86,8 +101,8 @@ static bool texel_at(const struct square *s, const struct ref_plane *p, double s
 {
     double u, v, z, most = s->size / 2;
     bool in = ref_plane_at(p, &lens, sx, sy, &u, &v, &z);
-    texel[0] = u / s->size * s->tiles * TEXELS;
-    texel[1] = -v / s->size * s->tiles * TEXELS;
+    texel[0] = u / s->size * s->tiles * s->across[0];
+    texel[1] = -v / s->size * s->tiles * s->across[1];
     return in && fabs(u) < most && fabs(v) < most;
 }
 
@@ -143,13 +158,18 @@ static void check_pixel(const struct rig *rig, const struct square *s, const str
 }
 
 /* Random squares; at most `steep` percent of the pixels that are not gentle may be off. */
-static void check_squares(double size, double tiles, enum ph_wrap wrap, double distance, double side, double turn,
-                          double steep)
+static void check_squares_of(uint8_t log2_width, uint8_t log2_height, double size, double tiles, enum ph_wrap wrap,
+                             double distance, double side, double turn, double steep)
 {
     struct rig rig;
     struct square s;
     struct totals t = {0, 0, 0, 0, 0, 0};
     square_build(&s, size, tiles, wrap);
+    if (log2_width > LOG2) {
+        enlarge(&s.texture, log2_width, log2_height);
+        s.across[0] = 1 << log2_width;
+        s.across[1] = 1 << log2_height;
+    }
     rig_open(&rig, WIDTH, HEIGHT, HEIGHT, PH_DEPTH_FIXED16, 4, 16);
     ref_seed(11);
     for (int i = 0; i < SQUARES; i++) {
@@ -168,6 +188,12 @@ static void check_squares(double size, double tiles, enum ph_wrap wrap, double d
     assert_true(t.gentle > 100000);
     assert_true(surface_row("texture, nearest: gentle", missed, 100. * (double)t.gentle_bad / (double)t.gentle, 0));
     assert_true(surface_row("texture, nearest: steep", missed, steep_percent, steep));
+}
+
+static void check_squares(double size, double tiles, enum ph_wrap wrap, double distance, double side, double turn,
+                          double steep)
+{
+    check_squares_of(LOG2, LOG2, size, tiles, wrap, distance, side, turn, steep);
 }
 
 static void magnified_textures_are_exact(void **state)
@@ -200,16 +226,26 @@ static void many_repeats_are_exact(void **state)
     check_squares(8, 16, PH_WRAP_REPEAT, 3, 3, 1.2, .3);
 }
 
+/* v has other units beyond 65,536 texels. */
+static void textures_of_every_size_are_exact(void **state)
+{
+    static const uint8_t log2[][2] = {{7, 10}, {9, 7}, {9, 8}, {9, 9}, {10, 6}, {10, 7}, {10, 10}};
+    (void)state;
+    for (size_t i = 0; i < sizeof log2 / sizeof log2[0]; i++) {
+        check_squares_of(log2[i][0], log2[i][1], 8, .5, PH_WRAP_REPEAT, 3, 3, 1.2, .3);
+    }
+}
+
 /* ---- a mesh of small triangles ---------------------------------------------------------------------------- */
 
-static long wrong_texels(const struct rig *rig, const struct ref_picture *exact, long *pixels)
+static long wrong_texels(const struct rig *rig, const struct ref_picture *exact, int across, long *pixels)
 {
     long wrong = 0;
     for (int i = 0; i < rig->width * rig->height; i++) {
         const struct ref_pixel pixel = ref_at(exact, i % rig->width, i / rig->width);
         if (pixel.triangle >= 0 && rig->depth[i] != 0) {
-            const int x = (int)floor(pixel.uv[0] * TEXELS) & (TEXELS - 1);
-            const int y = (int)floor(pixel.uv[1] * TEXELS) & (TEXELS - 1);
+            const int x = (int)floor(pixel.uv[0] * across) & (TEXELS - 1);
+            const int y = (int)floor(pixel.uv[1] * across) & (TEXELS - 1);
             (*pixels)++;
             wrong += rig->pixels[i] != y * TEXELS + x;
         }
@@ -217,18 +253,16 @@ static long wrong_texels(const struct rig *rig, const struct ref_picture *exact,
     return wrong;
 }
 
-/* All of its pixels count, those at the edges of triangles, too. */
-static void a_mesh_of_small_triangles_is_exact(void **state)
+/* A torus with a texture of 2^log2 texels each way. All of its pixels count, those at the edges of triangles, too; at
+ * most `most` percent may have another texel. */
+static void check_torus(uint8_t log2, const char *surface, double most)
 {
     static struct rig_mesh mesh;
     struct ref_scene scene;
     struct ref_picture exact;
-    (void)state;
     textured_torus_build(&scene);
     rig_mesh_build(&mesh, &scene);
-    for (int i = 0; i < TEXELS * TEXELS; i++) {
-        mesh.texels[i] = (uint16_t)i;
-    }
+    enlarge(&mesh.texture, log2, log2);
     static const struct ph_depth_format *const formats[] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16, PH_DEPTH_FIXED24};
     for (int f = 0; f < 3; f++) { /* FIXED24 has no small triangles */
         const struct ph_depth_format *const format = formats[f];
@@ -241,17 +275,29 @@ static void a_mesh_of_small_triangles_is_exact(void **state)
             assert_int_equal(ph_draw_mesh(&rig.r, &mesh.mesh, &pose), PH_OK);
             assert_true(rig_finish(&rig));
             ref_draw(&exact, &ref_benchmark, &scene, frame);
-            wrong += wrong_texels(&rig, &exact, &pixels);
+            wrong += wrong_texels(&rig, &exact, 1 << log2, &pixels);
             ref_picture_free(&exact);
         }
         print_message("%ld pixels, %.3f %% another texel\n", pixels, 100. * (double)wrong / (double)pixels);
         assert_true(pixels > 175000);
-        assert_true(surface_row("texture, nearest: small triangles", "% of pixels with another texel",
-                                100. * (double)wrong / (double)pixels, .6));
+        assert_true(
+            surface_row(surface, "% of pixels with another texel", 100. * (double)wrong / (double)pixels, most));
         rig_close(&rig);
     }
     rig_mesh_free(&mesh);
     ref_scene_free(&scene);
+}
+
+static void a_mesh_of_small_triangles_is_exact(void **state)
+{
+    (void)state;
+    check_torus(LOG2, "texture, nearest: small triangles", .6);
+}
+
+static void a_mesh_of_small_triangles_with_a_large_texture_is_exact(void **state)
+{
+    (void)state;
+    check_torus(9, "texture of 512 texels, nearest: small triangles", 4);
 }
 
 /* The square in one of two materials, or (2) in both, material 0 first. */
@@ -333,7 +379,9 @@ int main(void)
         cmocka_unit_test(textures_through_the_near_plane_are_exact),
         cmocka_unit_test(clamped_textures_are_exact),
         cmocka_unit_test(many_repeats_are_exact),
+        cmocka_unit_test(textures_of_every_size_are_exact),
         cmocka_unit_test(a_mesh_of_small_triangles_is_exact),
+        cmocka_unit_test(a_mesh_of_small_triangles_with_a_large_texture_is_exact),
         cmocka_unit_test(of_two_equal_depths_the_first_texel_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

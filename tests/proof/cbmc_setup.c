@@ -81,10 +81,10 @@ void proof_small_depths(void)
     small_depths(&s, t.v, d, &block);
 }
 
-static bool set_no_texels(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+static bool set_no_texels(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
                           const fx_t *const uv[3])
 {
-    return t != NULL && r != NULL && v != NULL && uv != NULL;
+    return t != NULL && s != NULL && v != NULL && uv != NULL;
 }
 
 static void widen_nothing(struct ph_fast *fast)

@@ -54,10 +54,10 @@ static inline uint32_t ph_mix_at(const struct ph_texel_row *r, uint32_t u, uint3
     return ph_mix_four(four, u >> 17 & 31, v >> 17 & 31);
 }
 
-/* The nearest texel at u, v of a row. */
-static inline uint16_t ph_texel_nearest(const struct ph_texel_row *r, uint32_t u, uint32_t v)
+/* The nearest texel at u, v of a row; v_down: see ph_texel_v_down. */
+static inline uint16_t ph_texel_nearest(const struct ph_texel_row *r, uint32_t u, uint32_t v, uint32_t v_down)
 {
-    return r->texels[(v >> 16 & r->v_mask) + (u >> 22 & r->u_mask)];
+    return r->texels[(v >> v_down & r->v_mask) + (u >> 22 & r->u_mask)];
 }
 
 /* u or v along n pixels of a row from column `from` on, which is at + i step + i^2 bend at column i. The step of a

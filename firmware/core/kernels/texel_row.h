@@ -25,6 +25,12 @@ struct ph_texel_rows {
     uint32_t light, light_dy, glight; /* 32nds in 2^-24 at column 0, per row and per column; not of unlit kernels */
 };
 
+/* How far v of a nearest texel is shifted down, to be masked and become the part of an index. */
+static inline uint32_t ph_texel_v_down(uint32_t v_mask)
+{
+    return v_mask >> 16 != 0 ? 12 : 16;
+}
+
 /* u or v along a row: at its first pixel, its step there, and that step's own, which it takes behind every second
  * pixel, counted from the last one. Units are those of struct ph_tile_rows. */
 struct ph_texel_walk {

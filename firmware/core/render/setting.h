@@ -17,9 +17,10 @@ struct ph_setting {
     bool has_codes;       /* depth of small triangles and lines is stepped in codes */
     bool keeps_light;     /* a small triangle keeps the light that ph_setup_small has set: else see ph_set_fast_light */
     uint8_t source;       /* enum ph_source */
+    uint8_t v_unit;       /* PH_FROM_TEXELS: see ph_texel_v_unit */
     struct ph_fast fast;  /* base: with PH_DRAW_UVS a struct ph_corner; ramp: the material's, or its colour as the only
                                entry; bias: what is added to the codes of the format, in fixed16 to N/w (depth.h) */
-    bool (*set_texels)(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+    bool (*set_texels)(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
                        const fx_t *const uv[3]); /* of the shading, see shading.h; PH_FROM_TEXELS only */
     const struct ph_antialiasing *antialiasing;  /* pixels are samples; else NULL */
     const struct ph_octave_ways *octaves;        /* float16; else NULL */

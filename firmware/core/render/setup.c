@@ -245,14 +245,14 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->draw = draw;
     s->fast.base = ph_at(r, draw->base);
     s->has_codes = format->is_small && material->depth_bias_slope == 0;
-    s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL && s->has_codes &&
-                  (!textured || ph_texels_fit(material->texture));
+    s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL && s->has_codes;
     s->fast.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
     s->source = textured                     ? PH_FROM_TEXELS
                 : !lit                       ? PH_FROM_COLOUR
                 : corners == PH_FIRST_CORNER ? PH_FROM_FIRST_LIGHT
                                              : PH_FROM_LIGHT;
     s->set_texels = textured ? material->shading->texturing.set_texels : NULL;
+    s->v_unit = textured ? (uint8_t)ph_texel_v_unit(material->texture) : 0;
     s->antialiasing = r->config.antialiasing;
     s->keeps_light = s->source == PH_FROM_LIGHT && s->antialiasing == NULL;
     s->octaves = format->ways->octaves;
@@ -337,7 +337,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         return;
     }
     if (s->source == PH_FROM_TEXELS) {
-        if (!s->set_texels(t, r, v, uv)) {
+        if (!s->set_texels(t, s, v, uv)) {
             setup_other(s, v, uv, sides, small, t);
         } else if (PH_TEXTURE_KNEE && t->block != PH_BLOCK_NONE && t->as.small.of.map.fast) {
             set_texture_knee(s, t, d);
@@ -387,7 +387,7 @@ static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct 
     }
     done = s->has_fast_texels ? ph_setup_fast(&s->fast, ref, t) : done;
     const bool is_fast = s->has_fast_texels && done == PH_SMALL_SET;
-    if (is_fast && s->set_texels(t, s->r, v, uv)) {
+    if (is_fast && s->set_texels(t, s, v, uv)) {
         return;
     }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);

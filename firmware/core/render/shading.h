@@ -14,6 +14,7 @@ struct ph_band;
 struct ph_part_context;
 struct ph_plane_base;
 struct ph_row_piece;
+struct ph_setting;
 struct ph_small_texels;
 
 /* Lights vertices: light.h says how. */
@@ -29,7 +30,7 @@ struct ph_lighting {
 /* Takes pixels from a texture; all are NULL in a shading without. */
 struct ph_texturing {
     /* Small triangles: texels.h, small_texels.h. */
-    bool (*set_texels)(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+    bool (*set_texels)(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
                        const fx_t *const uv[3]);
     uint32_t (*draw_texels)(const struct ph_triangle *t, const struct ph_band *band);
     void (*begin_texels)(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes);

@@ -1,6 +1,6 @@
 /*
- * Rows of texels: ph_texture_tile of texture_tile.h draws those that most textures need (16-bit depth, full light,
- * nearest texel, up to 65,536 of them), draw_run all others. See texel_rows.h.
+ * Rows of texels: ph_texture_tile of texture_tile.h and the kernels of texel_row.h draw those with 16-bit depth codes,
+ * draw_other all others. See texel_rows.h.
  */
 /* Kits on armv6m: -O2. */
 #include "texel_rows.h"
@@ -63,19 +63,20 @@ static PH_NOINLINE uint16_t sample_lit_or_smooth(const struct ph_tile_kind *k, u
 }
 
 /* Draws n pixels from column i of the tile on, along one piece of the depth, where ph_texture_tile cannot. */
-static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_kind *k, const struct ph_tile_rows *r,
-                                                           uint32_t i, uint32_t n, struct ph_piece piece, bool depth24)
+PH_TIER(scenery)
+static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph_tile_rows *r, uint32_t i, uint32_t n,
+                                   struct ph_piece piece)
 {
     const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
     uint32_t u = ph_texel_at(&r->u, i), du = r->u.step + i * ddu + r->u.bend;
     uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend;
-    const bool lit_or_smooth = k->lit || k->smooth;
+    const bool lit_or_smooth = k->lit || k->smooth, depth24 = k->depth24;
+    const bool linear = k->triangle->block == PH_BLOCK_LINEAR;
     const struct ph_depth *const plane = &k->triangle->as.large.depth;
     uint16_t *pixel = r->row.pixels + i;
     void *depth = ph_depth_from(r->row.depth, i, depth24);
     for (; n > 0; n--) {
-        const uint32_t d =
-            k->triangle->block == PH_BLOCK_LINEAR ? ph_depth_linear(&plane->over_w.linear, piece.d) : piece.d;
+        const uint32_t d = linear ? ph_depth_linear(&plane->over_w.linear, piece.d) : piece.d;
         if (depth24 ? ph_nearer24(depth, d) : ph_nearer16(depth, d)) {
             *pixel =
                 lit_or_smooth
@@ -89,18 +90,6 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
         du += ddu;
         v += dv;
         dv += ddv;
-    }
-}
-
-/* draw_run as a function of its own, because it runs from RAM where flash is slow. */
-PH_TIER(scenery)
-static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph_tile_rows *r, uint32_t i, uint32_t n,
-                                   struct ph_piece piece)
-{
-    if (k->depth24) {
-        draw_run(k, r, i, n, piece, true);
-    } else {
-        draw_run(k, r, i, n, piece, false);
     }
 }
 
@@ -146,7 +135,7 @@ PH_TIER(few) void ph_draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph
     }
 }
 
-/* ---- rows with depth in codes, of a texture of up to 65,536 texels ---- */
+/* ---- rows with depth in codes ---- */
 
 /* A row before it is handed to a kernel. */
 struct general_row {
@@ -200,8 +189,8 @@ static FX_APART void draw_shining_row(const struct ph_texel_row *row, bool smoot
     uint32_t d = row->d, level = row->level, light = row->light;
     for (uint32_t i = 0, n = row->n; n > 0; i++, n--, d += row->gd) {
         if (ph_nearer16(&row->depth[i], d)) {
-            const uint16_t texel =
-                smooth ? ph_mix_folded(ph_mix_at(row, u.at, v.at)) : ph_texel_nearest(row, u.at, v.at);
+            const uint16_t texel = smooth ? ph_mix_folded(ph_mix_at(row, u.at, v.at))
+                                          : ph_texel_nearest(row, u.at, v.at, ph_texel_v_down(row->v_mask));
             row->pixels[i] = shade(texel, level);
         }
         ph_texel_walk_on(&u, n);

@@ -39,19 +39,22 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_tile_rows
     k->log2_width = map->log2_width;
     k->lit = ph_is_lit(light);
     k->smooth = light->smooth;
+    r->row.v_mask = k->v_mask << width;
+    r->u_outside = r->v_outside = 0;
     if (k->fast) {
         k->u_down = 22;
-        k->v_down = 16 + ph_texel_row_up(map);
+        k->v_down = k->smooth ? 22 : (int)ph_texel_v_down(r->row.v_mask) + width;
+        if (k->clamp) {
+            r->u_outside = UINT32_MAX << width << k->u_down;
+            r->v_outside = UINT32_MAX << height << k->v_down;
+        }
     }
-    r->row.v_mask = k->v_mask << width;
-    r->u_outside = k->clamp ? UINT32_MAX << width << 22 : 0;
-    r->v_outside = k->clamp ? UINT32_MAX << height << (16 + ph_texel_row_up(map)) : 0;
 }
 
 /* Draws a row, of which all but light is set; light at its first pixel. */
 void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, uint32_t light, uint32_t glight);
 
-/* Draws rows whose depth is in codes, of a texture of up to 65,536 texels. */
+/* Draws rows whose depth is in codes. */
 void ph_draw_fast_rows(const struct ph_tile_kind *k, struct ph_tile_rows *r);
 
 /* Draws rows whose depth may have several pieces each. r->row.d and r->row.gd are in units of the triangle's plane.

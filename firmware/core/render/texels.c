@@ -209,17 +209,17 @@ static FX_APART void set_general(struct ph_triangle *t, const struct frame *f, c
 }
 
 PH_TIER(mesh)
-bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+bool ph_setup_texels(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
                      const fx_t *const corner_uv[3])
 {
     static const fx_t origin[2];
     static const fx_t *const origins[3] = {origin, origin, origin};
     const fx_t *const *const uv = corner_uv != NULL ? corner_uv : origins;
     const struct ph_texture *const texture = t->material->texture;
-    const int width = texture->log2_width, v_unit = ph_texel_row_up(texture) + texture->log2_height;
+    const int width = texture->log2_width, v_unit = s->v_unit;
     const int32_t du1 = change(uv, 1, 0), du2 = change(uv, 2, 0), dv1 = change(uv, 1, 1), dv2 = change(uv, 2, 1);
     struct frame f;
-    if (!set_warp(&f.warp, v, r->lens.kind == PH_ORTHOGRAPHIC) ||
+    if (!set_warp(&f.warp, v, s->r->lens.kind == PH_ORTHOGRAPHIC) ||
         (texture->wrap == PH_WRAP_CLAMP && !fits_clamped(texture, uv)) ||
         !is_exact(&f.warp, most_of(du1, du2), most_of(dv1, dv2), texture)) {
         return false;

@@ -2,17 +2,12 @@
 #ifndef PH_TEXELS_H
 #define PH_TEXELS_H
 
+#include "setting.h"
 #include "triangle.h"
-
-/* Whether small triangles with this texture can be drawn as such. */
-static inline bool ph_texels_fit(const struct ph_texture *texture)
-{
-    return texture->log2_width + texture->log2_height <= 16;
-}
 
 /* Sets u, v and the kind of a triangle that ph_setup_small has set up without a ramp. False: it must be drawn in
  * tiles. uv: those of each corner; NULL counts as 0. */
-bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+bool ph_setup_texels(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
                      const fx_t *const uv[3]);
 
 #endif

@@ -72,7 +72,7 @@ static unsigned level_of(const struct ph_triangle *t, const struct ph_tile *tile
 /*
  * Chooses how a tile is drawn. For ph_texture_tile u and v are in its units: they wrap, and so the texture repeats. In
  * a clamped texture they must not wrap, or a point outside would seem to be inside: its texels must fit in beside the
- * sign, with room for as many again. For draw_run u and v are in 2^-29 of their range.
+ * sign, with room for as many again. For draw_other u and v are in 2^-29 of their range.
  */
 PH_TIER(scenery)
 static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile, const struct ph_surface *s,
@@ -82,8 +82,7 @@ static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile
     const int width = map->log2_width, height = map->log2_height, range = t->as.large.of.map.range_log2;
     k->from = -(int32_t)tile->x;
     k->clamp = map->wrap == PH_WRAP_CLAMP && !is_inside(t, map, s);
-    k->fast = !k->depth24 && t->block != PH_BLOCK_LINEAR && width + height <= 16 &&
-              (!k->clamp || ph_fits_clamped(map, range));
+    k->fast = !k->depth24 && t->block != PH_BLOCK_LINEAR && (!k->clamp || ph_fits_clamped(map, range));
     k->u_down = 29 - range - width;
     k->v_down = 29 - range - height;
     ph_set_texel_kind(k, r, map, &t->as.large.of.map.light);

@@ -16,7 +16,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { TURNS = 20000, ROOM = 2048, TEXELS = 64 * 64 };
+enum { TURNS = 20000, ROOM = 2048, TEXELS = 1 << 20 };
 
 static uint32_t state;
 static _Alignas(4) uint16_t pixels[ROOM], depth[ROOM];
@@ -332,10 +332,20 @@ static uint32_t hash_way(uint32_t h, const struct ph_texel_way *w)
     return hash(h, w, sizeof *w);
 }
 
+/* A texture of 64 x 64 texels, or one of over 65,536. */
+static void set_size(uint32_t *u_mask, uint32_t *v_mask)
+{
+    const uint32_t width_log2 = below(4) > 0 ? 6 : 7 + below(4);
+    const uint32_t height_log2 = width_log2 == 6 ? 6 : 17 - width_log2 + below(width_log2 - 6);
+    *u_mask = (1u << width_log2) - 1;
+    *v_mask = ((1u << height_log2) - 1) << width_log2;
+}
+
 static uint32_t try_texture(uint32_t h)
 {
     const bool wild = below(4) == 0, clamp = below(2) == 0;
-    struct ph_tile_rows r = {.row = {.u_mask = 63, .v_mask = 63 * 64, .texels = texels}};
+    struct ph_tile_rows r = {.row = {.texels = texels}};
+    set_size(&r.row.u_mask, &r.row.v_mask);
     r.row.left = below(30 << 16) - (10 << 16);
     r.row.right = r.row.left + below(40 << 16) - (5 << 16);
     r.row.left_dx = below(1 << 17) - (1 << 16);
@@ -372,9 +382,9 @@ static uint32_t try_texel_row(uint32_t h, void (*draw)(const struct ph_texel_row
 {
     struct ph_texel_row row = {.depth = depth + 256, .pixels = pixels + 256, .texels = texels};
     uint32_t *const walks = &row.u.at; /* u and v, one after the other */
-    const uint32_t width_log2 = below(7);
+    const uint32_t width_log2 = below(11);
     row.u_mask = (1u << width_log2) - 1;
-    row.v_mask = ((1u << below(7)) - 1) << width_log2;
+    row.v_mask = ((1u << below(11)) - 1) << width_log2;
     row.n = 1 + below(64);
     row.d = bits();
     row.gd = bits();
@@ -420,8 +430,9 @@ static uint32_t try_texel_row_smooth_lit(uint32_t h)
 static struct ph_texel_run texel_run(void)
 {
     const bool wild = below(4) == 0;
-    struct ph_texel_run r = {.row = {.u_mask = 63, .v_mask = 63 * 64, .texels = texels}};
+    struct ph_texel_run r = {.row = {.texels = texels}};
     const uint32_t at = 40 + below(16), pixels_at = 40 + below(16);
+    set_size(&r.row.u_mask, &r.row.v_mask);
     r.row.left = below(20 << 16) - (10 << 16);
     r.row.right = r.row.left + below(18 << 16) - (2 << 16);
     r.row.left_dx = below(1 << 16) - (1 << 15);
@@ -466,7 +477,7 @@ static uint32_t try_texel_run(uint32_t h)
     r.row.light_dy = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> steep);
     r.row.glight = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> (steep + 3));
     r.kind = below(4);
-    struct ph_texel_row row = {.gd = r.row.gd, .u_mask = 63, .v_mask = 63 * 64, .texels = texels};
+    struct ph_texel_row row = {.gd = r.row.gd, .u_mask = r.row.u_mask, .v_mask = r.row.v_mask, .texels = texels};
     row.light_step = 4 * r.row.glight;
     row.u.bend = 4 * r.u.bend;
     row.v.bend = 4 * r.v.bend;

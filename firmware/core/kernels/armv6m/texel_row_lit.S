@@ -12,8 +12,8 @@
     .equ first, lit_frame @ depth, pixels, d, and twice the number of the first pixel
     .equ frame, lit_frame + 16
 
-    .macro pixel at
-pixel_\at:
+    .macro pixel at, name=pixel, v_down=16
+\name\()_\at:
     ldrh.n r5, [r0, #2 * \at]
     lsrs r6, r2, #16
     cmp r6, r5
@@ -23,7 +23,7 @@ pixel_\at:
     lsrs r5, r3, #21
     ands r5, r6
     add r5, r11
-    lsrs r6, r4, #15
+    lsrs r6, r4, #\v_down - 1
     ands r6, r7
     ldrh.n r5, [r5, r6]
     lsls r6, r5, #16
@@ -46,6 +46,22 @@ pixel_\at:
     add r9, lr
     add r10, r12
     .endif
+    .endm
+
+    .macro next_four first
+    adds r0, #8
+    adds r1, #8
+    ldr r5, [sp, #light]
+    ldr r6, [sp, #step]
+    adds r6, r6, r5
+    str r6, [sp, #light]
+    lsrs r5, r5, #24
+    str r5, [sp, #level]
+    ldr r5, [sp, #end]
+    cmp r0, r5
+    bne \first
+    ldr r5, [sp, #back]
+    bx r5
     .endm
 
     .macro texel to @ and steps u and v; r0 u_mask times 2
@@ -127,6 +143,11 @@ pixel_\at:
     lsls r2, r2, #1
     str r2, [sp, #mask1]
     lsls r7, r3, #1
+    adr r2, ph_texel_lit_entries
+    lsrs r3, r3, #16
+    beq 1f
+    adds r2, #8
+1:  str r2, [sp, #table]
     mov r11, r5
     str r6, [sp, #level]
     ldmia r0!, {r5, r6} @ light, step
@@ -145,15 +166,19 @@ pixel_\at:
     .type ph_texel_lit_pixels, %function
     .thumb_func
 ph_texel_lit_pixels:
-    adr r6, entries
+    ldr r6, [sp, #table]
     ldrh r5, [r6, r5]
-    adds r5, r5, r6
-    bx r5
+dispatch:
+    add pc, r5
     .p2align 2
-entries: @ indexed by the pixel that comes first
-    .hword four - entries + 1
+    .global ph_texel_lit_entries
+ph_texel_lit_entries: @ indexed by the pixel that comes first
+    .hword four - dispatch - 4
     .irp at, 1, 2, 3
-    .hword pixel_\at - entries + 1
+    .hword pixel_\at - dispatch - 4
+    .endr
+    .irp at, 0, 1, 2, 3
+    .hword of_large_\at - dispatch - 4
     .endr
     .irp at, 0, 1, 2, 3
     pixel \at
@@ -188,19 +213,11 @@ four:
     strh r2, [r0, #6]
     pop {r0-r2}
 next:
-    adds r0, #8
-    adds r1, #8
-    ldr r5, [sp, #light]
-    ldr r6, [sp, #step]
-    adds r6, r6, r5
-    str r6, [sp, #light]
-    lsrs r5, r5, #24
-    str r5, [sp, #level]
-    ldr r5, [sp, #end]
-    cmp r0, r5
-    bne four
-    ldr r5, [sp, #back]
-    bx r5
+    next_four four
+    .irp at, 0, 1, 2, 3
+    pixel \at, of_large, 12
+    .endr
+    next_four of_large_0
     .p2align 2
 fields_of_two:
     .word 0x07e0f81f

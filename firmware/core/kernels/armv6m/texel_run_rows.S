@@ -185,6 +185,11 @@ lit:
     ldmia r0!, {r1, r2} @ texels, rows
     mov r11, r1
     str r2, [sp, #rows]
+    ldr r1, entries_here
+    lsrs r6, r6, #17 @ v_mask
+    beq 1f
+    adds r1, #8
+1:  str r1, [sp, #table]
     ldmia r0!, {r1-r3} @ light, light_dy, glight
     str r1, [sp, #light]
     lsrs r4, r1, #24
@@ -251,6 +256,8 @@ lit_back:
     restore_and_return
 pixels_here:
     .word ph_texel_lit_pixels
+entries_here:
+    .word ph_texel_lit_entries
 store_lit: @ what the caller finds of the rows
     ldr r0, [sp, #self]
     adds r0, #texel_depth

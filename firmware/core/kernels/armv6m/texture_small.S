@@ -7,19 +7,20 @@
 #include "texel_line.inc"
 
     @ on the stack, behind the masks of texels.inc
-    .equ self, 8   @ the struct ph_texel_run
-    .equ apart, 12 @ from depth to pixels
-    .equ stride, 16
-    .equ below, 20 @ depth of column -32 of the next row: the last of the 32 unrolled pixels is the last of a row
-    .equ rows, 24
-    .equ count, 28
-    .equ from, 32 @ of the row: first column, number of pixels, pair (see texture_tile.h), and r0, r2 and r3
-    .equ n, 36
-    .equ pair, 40
-    .equ row_depth, 44
-    .equ row_d, 48
-    .equ row_u, 52
-    .equ frame, 56
+    .equ self, 16  @ the struct ph_texel_run
+    .equ apart, 20 @ from depth to pixels
+    .equ stride, 24
+    .equ below, 28 @ depth of column -32 of the next row: the last of the 32 unrolled pixels is the last of a row
+    .equ rows, 32
+    .equ count, 36
+    .equ from, 40 @ of the row: first column, number of pixels, pair (see texture_tile.h), and r0, r2 and r3
+    .equ n, 44
+    .equ pair, 48
+    .equ row_depth, 52
+    .equ row_d, 56
+    .equ row_u, 60
+    .equ table, 64 @ of the entries
+    .equ frame, 68
 
     function ph_texture_small, loop @ r0: struct ph_texel_run
     save_registers
@@ -31,6 +32,14 @@
     ldmia r0!, {r1, r2} @ texels, rows
     mov r11, r1
     str r2, [sp, #rows]
+    adr r1, entries
+    lsrs r6, r6, #17
+    beq 1f
+    adr r1, next
+    adds r1, #1
+    str r1, [sp, #back]
+    adr r1, large_entries
+1:  str r1, [sp, #table]
     movs r1, #0
     str r1, [sp, #count]
 row:
@@ -53,16 +62,16 @@ row:
     movs r4, r6
     ldr r5, [sp, #n]
     lsls r5, r5, #1
-    adr r6, entries
+    ldr r6, [sp, #table]
     ldrh r5, [r6, r5]
-    adds r5, r5, r6
     ldr r0, [sp, #row_depth]
     ldr r1, [sp, #apart]
     adds r1, r1, r0
     ldr r2, [sp, #row_d]
     ldr r3, [sp, #row_u]
     ldr r7, [sp, #mask1]
-    bx r5
+dispatch:
+    add pc, r5
 empty:
     lines_down
     b last
@@ -70,8 +79,24 @@ empty:
 entries: @ indexed by the number of pixels; the first is not used
     .hword 0
     .irp at, 31, 30, 29, 28, 27, 26, 25, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0
-    .hword pixel_\at - entries + 1
+    .hword pixel_\at - dispatch - 4
     .endr
+    .p2align 2
+large_entries:
+    .rept 33
+    .hword large - dispatch - 4
+    .endr
+large:
+    adds r0, #64
+    adds r1, #64
+    ldr r5, [sp, #n]
+    ldr r6, large_pixels
+    bx r6
+    .p2align 2
+large_pixels:
+    .word ph_texel_large_pixels
+next:
+    b last
     .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
     pixel \at
     .endr

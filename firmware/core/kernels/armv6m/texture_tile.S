@@ -8,12 +8,13 @@
     .equ way, 32 @ bytes
 
     @ on the stack, behind the masks of texels.inc
-    .equ self, 8   @ the struct ph_tile_rows
-    .equ apart, 12 @ from depth to pixels
-    .equ entry, 16 @ of the row
-    .equ n, 20
-    .equ more, 24  @ sixteens of pixels that follow
-    .equ frame, 28
+    .equ self, 16  @ the struct ph_tile_rows
+    .equ apart, 20 @ from depth to pixels
+    .equ entry, 24 @ of the row
+    .equ n, 28
+    .equ more, 32  @ sixteens of pixels that follow
+    .equ table, 36 @ of the entries
+    .equ frame, 40
 
     .macro value at, step, bend, i, scratch @ at += i (step + i bend)
     movs \scratch, \bend
@@ -42,20 +43,25 @@
     sub sp, #frame
     movs r7, r0
     str r7, [sp, #self]
-    ldr r0, [r7, #texel_gd]
-    mov r8, r0
-    ldr r0, [r7, #texel_texels]
+    adds r0, #texel_depth
+    ldmia r0!, {r1-r6} @ depth, pixels, stride, gd, u_mask, v_mask
+    ldr r0, [r0] @ texels
     mov r11, r0
-    ldr r0, [r7, #texel_u_mask]
-    lsls r0, r0, #1
-    str r0, [sp, #mask1]
-    ldr r0, [r7, #texel_v_mask]
-    lsls r0, r0, #1
-    str r0, [sp, #mask2]
-    ldr r0, [r7, #texel_depth]
-    ldr r1, [r7, #texel_pixels]
-    subs r1, r1, r0
-    str r1, [sp, #apart]
+    mov r8, r4
+    lsls r5, r5, #1
+    str r5, [sp, #mask1]
+    lsls r6, r6, #1
+    str r6, [sp, #mask2]
+    subs r2, r2, r1
+    str r2, [sp, #apart]
+    adr r1, entries
+    lsrs r6, r6, #17
+    beq 1f
+    adr r1, rows_of_large
+    adds r1, #1
+    str r1, [sp, #back]
+    adr r1, large_entries
+1:  str r1, [sp, #table]
 row: @ r7: self
     ldr r0, [r7, #texel_left]
     ldr r1, [r7, #texel_right]
@@ -83,7 +89,7 @@ inside: @ r0: first column, r1: the column behind the last, r2: how many
     subs r1, r1, r5
     subs r4, r2, r5
     lsls r4, r4, #1
-    adr r3, entries
+    ldr r3, [sp, #table]
     ldrh r3, [r3, r4]
     str r3, [sp, #entry]
     movs r3, #1
@@ -130,17 +136,35 @@ entries: @ indexed by the pixels that come first, 1 .. 16: the last ones of the 
     .irp at, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0
     .hword pixel_\at - entries
     .endr
+    .p2align 2
+large_entries:
+    .rept 17
+    .hword large - entries
+    .endr
     .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
     pixel \at
     .endr
     ldr r5, [sp, #more]
     subs r5, #1
-    bmi 3f
+    bmi rows_of_large
     str r5, [sp, #more]
     adds r0, #32
     adds r1, #32
     b pixel_0
-3:
+large:
+    ldr r5, [sp, #more]
+    adds r5, #1
+    lsls r5, r5, #5
+    adds r0, r0, r5
+    adds r1, r1, r5
+    ldr r5, [sp, #n]
+    ldr r6, large_pixels
+    bx r6
+    .p2align 2
+large_pixels:
+    .word ph_texel_large_pixels
+    .p2align 2
+rows_of_large:
     ldr r7, [sp, #self]
     ldr r0, [sp, #n]
     ldr r1, [r7, #tile_count]

@@ -13,14 +13,14 @@
     .equ more, 32   @ sixteens of pixels that follow
     .equ frame, 36
 
-    .macro pixel at
-pixel_\at:
+    .macro pixel at, name=pixel, v_down=16
+\name\()_\at:
     ldrh r0, [r12, #2 * \at]
     lsrs r1, r2, #16
     cmp r1, r0
     bls 1f
     strh r1, [r12, #2 * \at]
-    and r0, r10, r7, lsr #16
+    and r0, r10, r7, lsr #\v_down
     and r1, r6, r4, lsr #22
     add r0, r1
     ldrh r0, [r11, r0, lsl #1]
@@ -76,12 +76,12 @@ pixel_\at:
     sub lr, lr, r4, lsl #1
     mov r1, r4
     ldrd r2, r3, [r0, #12]
-    ldrd r6, r10, [r0, #row_u_mask]
-    ldr r11, [r0, #row_texels]
     add r0, #row_u
-    ldm r0, {r4, r5, r6, r7, r8, r9}
+    ldm r0!, {r4, r5, r6, r7, r8, r9}
     strd r6, r9, [sp, #steps]
-    ldr r6, [r0, #row_u_mask - row_u]
+    ldm r0, {r6, r10, r11} @ u_mask, v_mask, texels
+    lsrs r9, r10, #16
+    bne large
     movw r9, #0xfc1f
     movt r9, #0x03e0
     tbh [pc, r1, lsl #1]
@@ -106,4 +106,38 @@ entries: @ indexed by the pixel that comes first
     b pixel_0
 2:  add sp, #frame
     pop {r4-r11, pc}
+large: @ over 65,536 texels: four pixels a turn, from the first four of r1 on; `more` becomes the end of depth
+    bic r9, r1, #3
+    and r1, r1, #3
+    add r12, r12, r9, lsl #1
+    add lr, lr, r9, lsl #1
+    ldr r9, [r0, #8 - row_u_mask] @ n
+    add r9, r1
+    add r9, r12, r9, lsl #1
+    str r9, [sp, #more]
+    ldr r9, [r0, #row_level - row_u_mask]
+    str r9, [sp, #levels]
+    ldrd r0, r9, [r0, #row_light - row_u_mask]
+    strd r0, r9, [sp, #light]
+    movw r9, #0xfc1f
+    movt r9, #0x03e0
+    tbh [pc, r1, lsl #1]
+large_entries:
+    .irp at, 0, 1, 2, 3
+    .hword (large_\at - large_entries) / 2
+    .endr
+    .irp at, 0, 1, 2, 3
+    pixel \at, large, 12
+    .endr
+    add r12, #8
+    add lr, #8
+    ldrd r0, r1, [sp, #light]
+    add r1, r0
+    lsrs r0, r0, #24
+    str r1, [sp, #light]
+    str r0, [sp, #levels]
+    ldr r0, [sp, #more]
+    cmp r12, r0
+    bne large_0
+    b 2b
     .size ph_texel_row_lit, . - ph_texel_row_lit

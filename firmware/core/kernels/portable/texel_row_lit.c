@@ -3,5 +3,5 @@
 
 void ph_texel_row_lit(const struct ph_texel_row *r)
 {
-    ph_texel_row_any(r, false, true);
+    ph_texel_row_unfiltered(r, true);
 }

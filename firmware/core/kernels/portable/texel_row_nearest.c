@@ -5,5 +5,5 @@
 
 PH_TIER(scenery) void ph_texel_row_nearest(const struct ph_texel_row *r)
 {
-    ph_texel_row_any(r, false, false);
+    ph_texel_row_unfiltered(r, false);
 }

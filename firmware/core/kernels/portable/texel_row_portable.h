@@ -5,7 +5,9 @@
 #include "span.h"
 #include "texel_mix.h"
 
-static inline __attribute__((always_inline)) void ph_texel_row_any(const struct ph_texel_row *r, bool smooth, bool lit)
+/* v_down: see ph_texel_v_down; rows with a filter take none. */
+static inline __attribute__((always_inline)) void ph_texel_row_any(const struct ph_texel_row *r, bool smooth, bool lit,
+                                                                   uint32_t v_down)
 {
     uint16_t *depth = r->depth, *pixel = r->pixels;
     struct ph_texel_walk u = r->u, v = r->v;
@@ -14,17 +16,33 @@ static inline __attribute__((always_inline)) void ph_texel_row_any(const struct 
         if (ph_nearer16(depth, d)) {
             PH_KEEP_BRANCH();
             if (smooth || lit) {
-                const uint32_t c = smooth ? ph_mix_at(r, u.at, v.at) : ph_mix_spread(ph_texel_nearest(r, u.at, v.at));
+                const uint32_t c =
+                    smooth ? ph_mix_at(r, u.at, v.at) : ph_mix_spread(ph_texel_nearest(r, u.at, v.at, v_down));
                 *pixel = ph_mix_folded(lit ? ph_mix_lit(c, level) : c);
             } else {
-                *pixel = ph_texel_nearest(r, u.at, v.at);
+                *pixel = ph_texel_nearest(r, u.at, v.at, v_down);
             }
         }
-        ph_texel_walk_on(&u, n);
-        ph_texel_walk_on(&v, n);
+        u.at += u.step;
+        v.at += v.step;
+        if ((n & 1) != 0) {
+            PH_KEEP_BRANCH();
+            u.step += u.bend;
+            v.step += v.bend;
+        }
         if (lit) {
             ph_texel_light_on(&level, &light, r->light_step, n);
         }
+    }
+}
+
+/* Draws a row of nearest texels, in a loop of its own for either size of texture. */
+static inline __attribute__((always_inline)) void ph_texel_row_unfiltered(const struct ph_texel_row *r, bool lit)
+{
+    if (ph_texel_v_down(r->v_mask) == 16) {
+        ph_texel_row_any(r, false, lit, 16);
+    } else {
+        ph_texel_row_any(r, false, lit, 12);
     }
 }
 

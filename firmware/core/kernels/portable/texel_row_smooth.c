@@ -3,5 +3,5 @@
 
 void ph_texel_row_smooth(const struct ph_texel_row *r)
 {
-    ph_texel_row_any(r, true, false);
+    ph_texel_row_any(r, true, false, 0);
 }

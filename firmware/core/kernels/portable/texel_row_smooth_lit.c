@@ -3,5 +3,5 @@
 
 void ph_texel_row_smooth_lit(const struct ph_texel_row *r)
 {
-    ph_texel_row_any(r, true, true);
+    ph_texel_row_any(r, true, true, 0);
 }

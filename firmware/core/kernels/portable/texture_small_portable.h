@@ -21,7 +21,7 @@ static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t fro
         .v_mask = r->row.v_mask,
         .texels = r->row.texels,
     };
-    ph_texel_row_any(&pixels, false, false);
+    ph_texel_row_any(&pixels, false, false, ph_texel_v_down(pixels.v_mask));
 }
 
 /* How many of n pixels lie on the same side of a knee as the first one, which has depth d. */

@@ -54,7 +54,7 @@ static inline void ph_draw_tile_row(const struct ph_tile_rows *r, const struct p
         .v_mask = r->row.v_mask,
         .texels = r->row.texels,
     };
-    ph_texel_row_any(&pixels, false, false);
+    ph_texel_row_any(&pixels, false, false, ph_texel_v_down(pixels.v_mask));
 }
 
 static inline void ph_texture_tile_portable(struct ph_tile_rows *r)

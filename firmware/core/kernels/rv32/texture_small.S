@@ -41,7 +41,7 @@
     masks t0, t1
     sub t6, t6, a1
     sw t6, 52(sp)
-    addi t0, a4, -6 // from u in 2^-22 to its top
+    lw t0, to_top(sp)
     lw s9, run_u_bend(a0)
     lw s10, run_v_bend(a0)
     slli s9, s9, 2
@@ -63,7 +63,7 @@ row:
     begin_way a6, a7, s0, s1, t3
     begin_way t3, t4, s3, s4, t6
     lw t6, 52(sp)
-    addi t1, a4, -6
+    lw t1, to_top(sp)
     sll a6, a6, t1
     sll a7, a7, t1
     slli t5, t5, 1

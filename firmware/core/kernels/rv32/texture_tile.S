@@ -66,7 +66,7 @@ inside:
     mul a7, s2, t4
     mul t4, s6, t4
     mul a5, a2, t1
-    addi t1, a4, -6 // from u in 2^-22 to its top
+    lw t1, to_top(sp)
     shadd 1, a7, a7, s1
     shadd 1, t4, t4, s5
     add a5, a5, t2

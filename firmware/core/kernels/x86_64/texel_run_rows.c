@@ -28,7 +28,7 @@ static inline __attribute__((always_inline)) void draw_texel(const struct lit_te
     w->texel.before = _mm_add_epi32(w->texel.before, t->all.gd);
     const uint16_t code = (uint16_t)_mm_extract_epi16(w->texel.before, 1);
     if (*depth < code) {
-        const uint64_t texel = t->all.texels[(w->texel.at & t->all.mask) * t->all.u_to_v >> 48] * t->twice;
+        const uint64_t texel = t->all.texels[(w->texel.at & t->all.mask) * t->all.u_to_v >> TEXELS2_SMALL] * t->twice;
         const uint32_t lit = (uint32_t)((texel & FIELDS) * w->level >> 5) & FIELDS;
         *depth = code;
         *(uint16_t *)(void *)((uint8_t *)depth + t->all.to_pixels) = (uint16_t)(lit | lit >> 16);
@@ -90,7 +90,7 @@ static inline bool set_light(struct lit_walk *w, uint32_t first, uint32_t n, uin
 static inline struct lit_texels texels_of(const struct ph_texel_run *r, uint64_t bend)
 {
     struct lit_texels t = {
-        texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth, r->row.pixels, r->row.gd, bend),
+        texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth, r->row.pixels, r->row.gd, bend, TEXELS2_SMALL),
         1 << 16 | 1, 4 * r->row.glight};
     __asm__("" : "+r"(t.twice));
     return t;
@@ -132,7 +132,7 @@ static inline uint64_t draw_rows(struct ph_texel_run *r, const struct lit_texels
 
 uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row)
 {
-    if (r->kind != PH_TEXEL_ROW_LIT || !texels2_fit(r)) {
+    if (r->kind != PH_TEXEL_ROW_LIT || texels2_down(r->row.v_mask) != TEXELS2_SMALL || !texels2_fit(r)) {
         return ph_texel_run_rows_portable(r, row);
     }
     struct texels2_lines l = texels2_lines_of(r);

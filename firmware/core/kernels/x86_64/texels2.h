@@ -16,8 +16,15 @@ _Static_assert(offsetof(struct ph_texel_line, step_dy) == 12 && offsetof(struct 
 #define TEXELS2_SIGN                                                                                                   \
     ((uint64_t)1 << 31) /* added to u, so that it is not negative; a multiple of the texture's width                   \
                          */
-#define TEXELS2_U_TO_V                                                                                                 \
-    ((uint64_t)1 << 26 | 1) /* a product with this adds the texel column of u to the texel row of v */
+
+/* How far u and v in one word are shifted down, to become an index: see ph_texel_v_down. */
+#define TEXELS2_SMALL 48
+#define TEXELS2_LARGE 44
+
+static inline unsigned texels2_down(uint32_t v_mask)
+{
+    return 32 + ph_texel_v_down(v_mask);
+}
 
 /* Whether |v| is below 2^log2. */
 static inline bool texels2_below(uint32_t v, int log2)

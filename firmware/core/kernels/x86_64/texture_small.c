@@ -9,36 +9,37 @@
 /* Draws n pixels of a row from column `from` on. */
 static inline __attribute__((always_inline)) void draw_line(const struct texels2_common *t,
                                                             const struct texels2_lines *l, uint16_t *depth,
-                                                            int64_t from, int64_t n, __m128i before)
+                                                            int64_t from, int64_t n, __m128i before, unsigned v_down)
 {
     struct texels2_walk w = {.before = before};
     texels2_start(l, (uint64_t)from, t->pair_bend[n & 1], &w.at, &w.step);
-    texels2_row(t, depth + from + n, (uint64_t)n, &w);
+    texels2_row(t, depth + from + n, (uint64_t)n, &w, v_down);
 }
 
 /* Draws n pixels of a row whose depth has a knee, in one or two pieces; gd: in codes above the knee. */
 static inline __attribute__((always_inline)) void draw_knee_line(struct texels2_common *t,
                                                                  const struct texels2_lines *l, uint16_t *depth,
                                                                  int64_t from, int64_t n, uint32_t d, uint32_t gd,
-                                                                 uint32_t knee)
+                                                                 uint32_t knee, unsigned v_down)
 {
     for (int64_t part; n > 0; n -= part, from += part, d += (uint32_t)part * gd) {
         const uint32_t step = d < knee ? 2 * gd : gd;
         part = ph_knee_pixels(d, gd, (uint32_t)n, knee);
         t->gd = _mm_cvtsi32_si128((int)step);
-        draw_line(t, l, depth, from, part, _mm_cvtsi32_si128((int)(ph_knee_code(d, knee) - step)));
+        draw_line(t, l, depth, from, part, _mm_cvtsi32_si128((int)(ph_knee_code(d, knee) - step)), v_down);
     }
 }
 
-/* Draws the rows of a triangle; knee: a constant 0 if there is none. */
-static inline __attribute__((always_inline)) uint32_t draw(struct ph_texel_run *r, uint32_t knee)
+/* Draws the rows of a triangle; knee: a constant 0 if there is none; v_down: a constant, as in
+ * texels2_down. */
+static inline __attribute__((always_inline)) uint32_t draw(struct ph_texel_run *r, uint32_t knee, unsigned v_down)
 {
     if (!texels2_fit(r)) {
         return ph_texture_small_rows(r, knee);
     }
     struct texels2_lines l = texels2_lines_of(r);
-    struct texels2_common t =
-        texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth, r->row.pixels, r->row.gd, l.bend);
+    struct texels2_common t = texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth,
+                                                r->row.pixels, r->row.gd, l.bend, v_down);
     const __m128i gd = t.gd;
     __m128i row = _mm_loadu_si128((const __m128i *)&r->row.left),
             down = _mm_loadu_si128((const __m128i *)&r->row.left_dx);
@@ -55,9 +56,9 @@ static inline __attribute__((always_inline)) uint32_t draw(struct ph_texel_run *
                 const __m128i before = texels2_depth(row, (uint64_t)from, gd);
                 if (knee != 0) {
                     draw_knee_line(&t, &l, depth, from, n, (uint32_t)_mm_cvtsi128_si32(before) + r->row.gd, r->row.gd,
-                                   knee);
+                                   knee, v_down);
                 } else {
-                    draw_line(&t, &l, depth, from, n, before);
+                    draw_line(&t, &l, depth, from, n, before, v_down);
                 }
                 count += (uint64_t)n;
             }
@@ -80,10 +81,10 @@ static inline __attribute__((always_inline)) uint32_t draw(struct ph_texel_run *
 
 uint32_t ph_texture_small(struct ph_texel_run *r)
 {
-    return draw(r, 0);
+    return texels2_down(r->row.v_mask) == TEXELS2_SMALL ? draw(r, 0, TEXELS2_SMALL) : draw(r, 0, TEXELS2_LARGE);
 }
 
 uint32_t ph_texture_knee(struct ph_texel_run *r, uint32_t knee)
 {
-    return draw(r, knee);
+    return texels2_down(r->row.v_mask) == TEXELS2_SMALL ? draw(r, knee, TEXELS2_SMALL) : draw(r, knee, TEXELS2_LARGE);
 }

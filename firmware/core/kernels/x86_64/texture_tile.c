@@ -25,23 +25,25 @@ static bool fits_both(const struct ph_tile_rows *r, uint32_t at)
 }
 
 /* Draws the n pixels before `end`: 32 at a time, the others first. */
-static inline void draw_row(const struct texels2_common *t, uint16_t *end, uint64_t n, struct texels2_walk *w)
+static inline __attribute__((always_inline)) void draw_row(const struct texels2_common *t, uint16_t *end, uint64_t n,
+                                                           struct texels2_walk *w, unsigned v_down)
 {
     for (uint64_t left = n, part; left > 0; left -= part) {
         part = (left - 1) % 32 + 1;
-        texels2_row(t, end - left + part, part, w);
+        texels2_row(t, end - left + part, part, w, v_down);
     }
 }
 
-static void draw_rows(struct ph_tile_rows *r, uint32_t at)
+/* v_down: a constant, as in texels2_down. */
+static inline __attribute__((always_inline)) void draw_rows(struct ph_tile_rows *r, uint32_t at, unsigned v_down)
 {
     const uint32_t further = r->u.at - at;
     struct both b = {texels2(at, r->v.at) + TEXELS2_SIGN, texels2(r->u.step, r->v.step),
                      texels2(r->u.bend, r->v.bend),       texels2(r->u.at_dy, r->v.at_dy),
                      texels2(r->u.step_dy, r->v.step_dy), texels2(r->u.bend_dy, r->v.bend_dy),
                      texels2(r->u.at_ddy, r->v.at_ddy),   texels2(r->u.step_ddy, r->v.step_ddy)};
-    struct texels2_common t =
-        texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth, r->row.pixels, r->row.gd, b.bend);
+    struct texels2_common t = texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth,
+                                                r->row.pixels, r->row.gd, b.bend, v_down);
     const uint64_t outside = (uint64_t)r->v_outside << 32 | r->u_outside;
     while (r->row.rows > 0) {
         __asm__ volatile("" : : : "memory"); /* the state does not fit the registers: keep all of it in memory */
@@ -55,7 +57,7 @@ static void draw_rows(struct ph_tile_rows *r, uint32_t at)
             struct texels2_walk w = {first, b.step + (uint64_t)row.pair * b.bend,
                                      _mm_cvtsi32_si128((int)(r->row.d + (row.first - 1) * r->row.gd))};
             t.bend = 4 * b.bend;
-            draw_row(&t, r->row.depth + row.first + row.n, row.n, &w);
+            draw_row(&t, r->row.depth + row.first + row.n, row.n, &w, v_down);
             r->count += row.n;
         }
         ph_row_down(r);
@@ -76,9 +78,11 @@ static void draw_rows(struct ph_tile_rows *r, uint32_t at)
 void ph_texture_tile(struct ph_tile_rows *r)
 {
     const uint32_t at = least_u(r);
-    if (fits_both(r, at)) {
-        draw_rows(r, at);
-    } else {
+    if (!fits_both(r, at)) {
         ph_texture_tile_portable(r);
+    } else if (texels2_down(r->row.v_mask) == TEXELS2_SMALL) {
+        draw_rows(r, at, TEXELS2_SMALL);
+    } else {
+        draw_rows(r, at, TEXELS2_LARGE);
     }
 }
