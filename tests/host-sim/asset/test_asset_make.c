@@ -27,6 +27,12 @@ bool asset_order(struct demo_arena *arena, const struct asset_shape *shape, stru
     memcpy(positions, shape->positions, sizeof *positions * shape->vertex_count);
     memcpy(normals, shape->normals, sizeof *normals * shape->vertex_count);
     memcpy(ordered[order_count++ % 16], shape->indices, sizeof(unsigned) * shape->index_count);
+    uint16_t(*const corners)[3] = demo_alloc(arena, sizeof(uint16_t) * shape->index_count);
+    assert_non_null(corners);
+    for (size_t i = 0; i < shape->index_count; i++) {
+        corners[i / 3][i % 3] = (uint16_t)shape->indices[i];
+    }
+    to->triangles = (const uint16_t(*)[3])corners;
     to->positions = positions;
     to->normals = (const int16_t(*)[3])normals;
     to->uvs = NULL;
@@ -146,6 +152,7 @@ static void triangles_with_two_corners_in_one_place_go(void **state)
         const struct ph_mesh *to = &asset.model.meshes[m];
         assert_true(to->materials == &asset.materials[m] && to->materials->colour == m && to->material_count == 1);
         assert_true(to->part_count == 1 && to->parts->count == (m == 1 ? 1 : 2) && to->parts->first == 0);
+        assert_non_null(to->bounds);
     }
 }
 
