@@ -72,7 +72,7 @@ static int fresh(void **state)
     draws[0] = (struct scene_draw){.lens = {.kind = PH_PERSPECTIVE}};
     for (int i = 0; i < 3; i++) {
         surfaces[i].look.shading = PH_SHADE_UNLIT;
-        snprintf(surfaces[i].colour, sizeof surfaces[i].colour, "#00000%d", i);
+        snprintf(surfaces[i].colour, sizeof surfaces[i].colour, "#00000%u", (unsigned)i % 10);
     }
     lab = (struct depth_lab){.demo = "played",
                              .near_z = FX_ONE,
@@ -249,12 +249,14 @@ static void what_cannot_be_asked_is_told(void **state)
     struct stderr_capture said;
     (void)state;
     lab.formats = 0;
+    free(csv);
     stderr_capture_begin(&said);
     int status = depth_lab_capture(&lab, depth_advise_scene, &csv);
     stderr_capture_end(&said);
     assert_int_equal(status, PH_ERR_INVAL);
     assert_non_null(strstr(said.text, "none of these formats is drawn"));
     open_status = COMPLAINED;
+    free(csv);
     assert_int_equal(depth_lab_capture(&lab, depth_advise_scene, &csv), COMPLAINED);
     assert_int_equal(is_open, 0);
 }

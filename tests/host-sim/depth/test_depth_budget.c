@@ -20,6 +20,7 @@ static double measured[DEPTH_SHARES]; /* at 1 m; they grow with the distance */
 static double tilts[16];
 static unsigned sweeps;
 static int open_status, probe_status, is_open;
+static const struct ph_depth_format *opened;
 
 /* In place of what depth_budget.c calls. */
 const char *const depth_share_names[DEPTH_SHARES] = {"input", "matrix",        "divide",
@@ -30,15 +31,17 @@ uint32_t depth_drawn_formats(const struct depth_lab *lab)
     return lab->formats & 7;
 }
 
-double depth_share_m(enum depth_share share, enum ph_depth_format format, const struct depth_lab *lab, double z)
+double depth_share_m(enum depth_share share, const struct ph_depth_format *format, const struct depth_lab *lab,
+                     double z)
 {
-    assert_true((uint32_t)format < 8 && lab->near_z > 0);
+    assert_true(format != NULL && lab->near_z > 0);
     return z * (1 + (int)share);
 }
 
-int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format)
+int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, const struct ph_depth_format *format)
 {
-    *canvas = (struct planes_canvas){.lab = lab, .shading = (uint8_t)format};
+    *canvas = (struct planes_canvas){.lab = lab};
+    opened = format;
     is_open++;
     return open_status;
 }
@@ -49,10 +52,10 @@ void depth_planes_close(struct planes_canvas *canvas)
     is_open--;
 }
 
-struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format,
+struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struct ph_depth_format *format,
                                        struct planes_lean lean)
 {
-    assert_true(canvas->shading == (uint8_t)format && lean.azimuth_deg == 0);
+    assert_true(canvas->lab != NULL && format == opened && lean.azimuth_deg == 0);
     tilts[sweeps++ % 16] = lean.tilt_deg;
     return (struct planes_sweep){.bound_m = lean.at_m * (100 - fabs(lean.tilt_deg - 40)),
                                  .measured_m = lean.at_m * (10 + lean.tilt_deg / 75)};

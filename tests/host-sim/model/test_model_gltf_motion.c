@@ -121,7 +121,7 @@ static void skins_that_are_broken_are_refused(void **state)
     for (int n = 1; n <= 256; n++) { /* of 256 and of 257 */
         strcat(text, ",1");
         if (n == 255) {
-            char most[2048];
+            char most[2064];
             snprintf(most, sizeof most, "%s]}", text);
             open_skins(node, most, "");
             assert_true(model_gltf_skins_read(&file, &scene));
