@@ -218,6 +218,109 @@ static void bounds_that_lie_are_refused(void **state)
     drawing_close(&d);
 }
 
+/* ---- any sphere, any matrices ------------------------------------------------------------------------------------ */
+
+/* A coordinate; now and then one at the end of the range that the test takes. */
+static int32_t any_place(void)
+{
+    const int32_t end = (1 << 28) - (int32_t)ref_uniform(-2, 3);
+    return ref_uniform(0, 4) < 1 ? (ref_uniform(0, 2) < 1 ? end : -end)
+                                 : within(exp2(ref_uniform(10, ref_uniform(0, 4) < 1 ? 31 : 27)));
+}
+
+static struct ph_xform any_matrix(void)
+{
+    const double scale = ref_uniform(0, 2), shear = ref_uniform(0, 2) < 1 ? 0 : ref_uniform(0, 1);
+    struct ph_xform x = {.t = {any_place(), any_place(), any_place()}};
+    double r[3][3];
+    ref_rotation(3, r);
+    for (int i = 0; i < 9; i++) {
+        const double other = r[i % 3][0] * ref_uniform(-1, 1);
+        x.r[i / 3][i % 3] = (int32_t)(fmax(fmin(scale * (r[i / 3][i % 3] + shear * other), 1.9999), -2) * 0x1p30);
+    }
+    return x;
+}
+
+/* How far a plane (normal, less `limit`) is from the nearest point of a sphere that both matrices move and deform. */
+static long double beyond(const struct ph_renderer *r, const struct ph_xform *to_world, const struct ph_sphere *s,
+                          const long double normal[3], long double limit)
+{
+    const struct ph_xform *const v = &r->view, *const w = to_world;
+    const long double c[3] = {s->centre.x, s->centre.y, s->centre.z}, tw[3] = {w->t.x, w->t.y, w->t.z},
+                      tv[3] = {v->t.x, v->t.y, v->t.z};
+    long double at = 0, size2 = 0;
+    for (int i = 0; i < 3; i++) {
+        long double to = tw[i], along = 0;
+        for (int k = 0; k < 3; k++) {
+            to += ldexpl(w->r[i][k], -30) * c[k];
+            along += normal[k] * ldexpl(v->r[k][i], -30);
+        }
+        at += along * to + normal[i] * tv[i];
+    }
+    for (int j = 0; j < 3; j++) {
+        long double along = 0;
+        for (int i = 0; i < 3; i++) {
+            for (int k = 0; k < 3; k++) {
+                along += normal[k] * ldexpl(v->r[k][i], -30) * ldexpl(w->r[i][j], -30);
+            }
+        }
+        size2 += along * along;
+    }
+    return at - s->radius * sqrtl(size2) - limit;
+}
+
+/* Whether one of the planes of the picture has all of the sphere beyond it. */
+static bool is_off(const struct ph_renderer *r, const struct ph_xform *to_world, const struct ph_sphere *s)
+{
+    const struct ph_lens *const lens = &r->lens;
+    const bool parallel = lens->kind == PH_ORTHOGRAPHIC;
+    const long double behind[3] = {0, 0, 1}, before[3] = {0, 0, -1};
+    bool off = beyond(r, to_world, s, behind, -(long double)lens->near_z) > 0 ||
+               beyond(r, to_world, s, before, lens->far_z) > 0;
+    for (int side = 0; side < 4; side++) {
+        const bool across = side < 2, first = side % 2 == 0;
+        const long double focal = ldexpl(across ? lens->focal_x : lens->focal_y, -30) * (first == across ? -1 : 1);
+        const long double centre = across ? lens->centre_x : lens->centre_y,
+                          size = across ? r->config.width : r->config.height;
+        const long double reach = ldexpl(first ? centre : size * 256 - centre, -8 - lens->focal_log2);
+        const long double normal[3] = {across ? focal : 0, across ? 0 : focal, parallel ? 0 : reach};
+        off = off || beyond(r, to_world, s, normal, parallel ? reach * 65536 : 0) > 0;
+    }
+    return off;
+}
+
+/* Only what lies beyond a plane of the picture is culled, whatever the sphere and the matrices are. */
+static void only_what_is_beyond_a_plane_is_culled(void **state)
+{
+    struct rig rig;
+    int culled = 0, near = 0;
+    (void)state;
+    rig_open(&rig, 32, 24, 24, PH_DEPTH_FIXED16, 4, 4);
+    ref_seed(2);
+    for (int turn = 0; turn < 200000; turn++) {
+        const struct fx_vec3 corner = {0, 0, 0};
+        const struct ph_sphere s = {
+            {any_place(), any_place(), any_place()}, (fx_t)exp2(ref_uniform(0, 30.9)), PH_CULL_SPHERES};
+        const struct ph_mesh mesh = {.positions = &corner, .vertex_count = 1, .bounds = &s};
+        const struct ph_xform view = any_matrix(), to_world = any_matrix();
+        const fx_t size = (fx_t)exp2(ref_uniform(12, 26));
+        struct ph_projection lens;
+        if ((turn % 2 == 0 ? ph_projection_ortho(&lens, -size, size, -size / 2, size, -size, 16 * size)
+                           : ph_projection_perspective(&lens, ref_q16(ref_uniform(3, 170)), FX_ONE, 1 + size / 64,
+                                                       16 * size)) != PH_OK ||
+            ph_frame_begin(&rig.r, &view, &lens, NULL, 0) != PH_OK) {
+            continue;
+        }
+        assert_int_equal(ph_draw_mesh(&rig.r, &mesh, &to_world), PH_OK);
+        const bool off = is_off(&rig.r, &to_world, &s);
+        assert_true(off || rig.r.stats.meshes_culled == 0);
+        culled += rig.r.stats.meshes_culled != 0;
+        near += !off;
+    }
+    assert_true(culled > 10000 && near > 10000);
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -228,6 +331,7 @@ int main(void)
         cmocka_unit_test(what_is_off_the_picture_needs_no_room),
         cmocka_unit_test(sphere_without_test_or_radius_is_none),
         cmocka_unit_test(bounds_that_lie_are_refused),
+        cmocka_unit_test(only_what_is_beyond_a_plane_is_culled),
     };
     return cmocka_run_group_tests_name("bounds", tests, NULL, NULL);
 }
