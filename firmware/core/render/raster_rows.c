@@ -10,6 +10,25 @@
 #include "shading.h"
 #include "span.h"
 
+PH_TIER(scenery)
+void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d, uint32_t gd)
+{
+    if (t->block >= PH_BLOCK_LINEAR) {
+        *o = (struct ph_octave){0, UINT32_MAX, 0, gd, 0};
+        return;
+    }
+    const bool wrapped = d >= PH_DEPTH_WRAPPED;
+    const int block = ph_block_exponent(t->block), down = ph_block_down(t->block);
+    const int lowest = ph_depth_lowest(block, down), octave = ph_depth_octave(wrapped ? 0 : d, lowest);
+    const uint32_t half = octave <= 0 ? (uint32_t)1 << 31 : ((uint32_t)1 << 31) >> octave;
+    const uint32_t end = octave <= 0 ? PH_DEPTH_WRAPPED : 2 * half;
+    o->bottom = octave >= lowest ? 0 : half;
+    o->size = wrapped ? 0 : end - o->bottom;
+    o->offset = ph_depth_float16_offset(octave, block, down) + ((uint32_t)t->material->depth_bias << 13);
+    o->up = octave - down;
+    o->slope = ph_depth_float16_slope(gd, o->up);
+}
+
 PH_TIER(loop) FX_APART void ph_skip_rows(struct ph_small_triangle *r, uint32_t n)
 {
     ph_skip_rows_of(r, n, r->upper_rows, r->lower_rows);

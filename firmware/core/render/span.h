@@ -181,25 +181,9 @@ struct ph_octave {
     int up; /* from d to codes; a nearer octave has a smaller one */
 };
 
-/* The octave in which d lies; its size is 0 if d has wrapped. Without octaves to cross it is the whole range. */
-PH_TIER(scenery)
-static inline void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d, uint32_t gd)
-{
-    if (t->block >= PH_BLOCK_LINEAR) {
-        *o = (struct ph_octave){0, UINT32_MAX, 0, gd, 0};
-        return;
-    }
-    const bool wrapped = d >= PH_DEPTH_WRAPPED;
-    const int block = ph_block_exponent(t->block), down = ph_block_down(t->block);
-    const int lowest = ph_depth_lowest(block, down), octave = ph_depth_octave(wrapped ? 0 : d, lowest);
-    const uint32_t half = octave <= 0 ? (uint32_t)1 << 31 : ((uint32_t)1 << 31) >> octave;
-    const uint32_t end = octave <= 0 ? PH_DEPTH_WRAPPED : 2 * half;
-    o->bottom = octave >= lowest ? 0 : half;
-    o->size = wrapped ? 0 : end - o->bottom;
-    o->offset = ph_depth_float16_offset(octave, block, down) + ((uint32_t)t->material->depth_bias << 13);
-    o->up = octave - down;
-    o->slope = ph_depth_float16_slope(gd, o->up);
-}
+/* raster_rows.c: the octave in which d lies; its size is 0 if d has wrapped. Without octaves to cross it is the whole
+ * range. */
+void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d, uint32_t gd);
 
 static inline bool ph_octave_holds(const struct ph_octave *o, uint32_t first, uint32_t last)
 {

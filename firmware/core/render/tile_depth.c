@@ -13,12 +13,6 @@ PH_TIER(scenery) static inline int fx_clz32(uint32_t v);
 #include "edge.h"
 #include "planes.h"
 
-/* ph_octave_of out of line: most tiles lie in one octave, so this is rare and runs from flash. */
-static PH_NOINLINE void nearest_octave(struct ph_octave *o, const struct ph_triangle *t, uint32_t most)
-{
-    ph_octave_of(o, t, most, t->as.large.depth.as.plane.gx);
-}
-
 PH_TIER(scenery)
 bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_tile_depth *depth)
 {
@@ -40,7 +34,7 @@ bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, st
         most_in->up = least_in->up;
         return least <= most;
     }
-    nearest_octave(most_in, t, most);
+    ph_octave_of(most_in, t, most, plane->gx);
     return least_in->size > 0 && most_in->size > 0 && least <= most && least_in->up - most_in->up < 2;
 }
 /* Draws rows in one octave; the first of them is row `row` of the tile. */
