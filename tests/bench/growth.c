@@ -9,6 +9,8 @@
  * - triangles: a torus of X triangles that covers the same pixels
  * - fragments: X pixels in full-screen quads, each in front of the last
  * - visible, hidden: X full-screen quads in bands of 16 lines, each in front of the last or behind it
+ * - points, discs, sparks: X points of one pixel or of two, opaque squares and discs, and squares that are added, in
+ *   bands of 16 lines; of 0 points the call, too, is left out
  * - draws, materials, keyed: X small quads that are drawn one by one, with one material, with as many, or with a keyed
  *   texture, in bands of 16 lines
  * - outside: the quads of draws, with bounds, off the picture: a quarter of them each beyond the left side, above,
@@ -54,12 +56,16 @@ struct drawing {
     const struct ph_xform *places;
     const struct ph_material *materials;
     uint32_t count;
+    const struct ph_points *points; /* or NULL; with the material `materials` */
 };
 
 static void list_frame(struct ph_renderer *r, const struct ph_projection *projection, const struct drawing *drawing)
 {
     struct ph_mesh mesh = drawing->mesh;
     ph_frame_begin(r, &ph_xform_identity, projection, &sun, 0);
+    if (drawing->points != NULL && drawing->points->count > 0) {
+        ph_draw_points(r, drawing->points, drawing->places, drawing->materials);
+    }
     for (uint32_t i = 0; i < drawing->count; i++) {
         mesh.materials = drawing->materials != NULL ? &drawing->materials[i] : mesh.materials;
         ph_draw_mesh(r, &mesh, &drawing->places[i]);
@@ -239,6 +245,40 @@ static void draws(const struct ph_material *one)
     }
 }
 
+#define POINTS_LAST 1000
+
+/* Points all over the picture, near and far ones. */
+static void points(void)
+{
+    static struct fx_vec3 positions[POINTS_LAST];
+    static uint16_t colours[POINTS_LAST];
+    static const struct ph_blend added = {.draw = ph_draw_blended, .kind = PH_BLEND_ADD, .alpha = 24};
+    static const struct ph_material plain, spark = {.blend = &added};
+    const struct picture bands = {320, 240, 16};
+    const struct ph_xform place = ph_xform_translate(0, 0, FX_INT(-3));
+    struct ph_points all = {.positions = positions, .colours = colours, .size = FX_ONE};
+    static const char *const kinds[3] = {"points", "sparks", "discs"};
+    uint32_t random = 1;
+    for (uint32_t i = 0; i < POINTS_LAST; i++) {
+        fx_t at[3];
+        for (int k = 0; k < 3; k++) {
+            random = random * 1664525 + 1013904223;
+            at[k] = (fx_t)(random >> 15) - 65536; /* -1 .. 1 */
+        }
+        positions[i] = (struct fx_vec3){at[0], at[1], at[2]};
+        colours[i] = (uint16_t)random;
+    }
+    for (unsigned k = 0; k < 3; k++) {
+        all.round = k == 2;
+        all.size = k == 2 ? FX_INT(2) : FX_ONE;
+        for (uint32_t count = 0; count <= POINTS_LAST; count = count == 0 ? 125 : 2 * count) {
+            const struct drawing drawing = {.points = &all, .places = &place, .materials = k == 1 ? &spark : &plain};
+            all.count = count;
+            measure_drawing(kinds[k], count, &bands, &drawing);
+        }
+    }
+}
+
 int main(void)
 {
     static const char *const loop[3] = {"known-loop", "-", "-"};
@@ -253,5 +293,6 @@ int main(void)
     tori(&lit);
     quads(&plain);
     draws(&plain);
+    points();
     return 0;
 }

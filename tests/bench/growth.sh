@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Usage: tests/bench/growth.sh [CORE]        make bench calls it; m3 by default
-# How the cost of a frame grows with triangles, fragments, depth complexity, draws, materials, keyed draws, meshes that are off the picture, bands and pixels:
+# How the cost of a frame grows with triangles, fragments, depth complexity, draws, materials, keyed draws, points, meshes that are off the picture, bands and pixels:
 # $B/bench-growth.csv (kind,x,instructions), and $B/bench-growth.png where gnuplot is. Exits 1 when a term grows faster than linearly (a further triangle, draw or
 # fragment costs over 10 % more than those before it; a pixel of a larger picture more than one of a smaller), when 16 bands cost 5 % of a frame,
-# when a hidden layer costs over 5 % of a visible one, or when a mesh that is off the picture costs 500 instructions (1,500 on a Cortex-M0+). Environment: B.
+# when a hidden layer costs over 5 % of a visible one, when a mesh that is off the picture costs 500 instructions (1,500 on a Cortex-M0+), or one of 500 points over its bar. Environment: B.
 set -eu
 cd "$(dirname "$0")/../.."
 B=${B:-build} core=${1:-m3}
@@ -14,7 +14,8 @@ PROGRAM=growth tests/bench/run.sh "$core" >"$B/bench-$core/growth"
 
 most=500
 [ "$core" != m0plus ] || most=1500
-awk -v most="$most" '
+case $core in m0plus) bar=300 ;; m3 | m4f | m33) bar=150 ;; *) bar=0 ;; esac # of a point
+awk -v most="$most" -v bar=$bar '
     $3 == "bins" { bins[$1 " " $4] = $5; next }
     $3 != "frame" { next }
     { cost[$1 " " $4] = $5 }
@@ -36,6 +37,12 @@ awk -v most="$most" '
             100 * bins["band 15"] / cost["band 15"]
         hidden = 100 * (cost["hidden 16"] - cost["hidden 1"]) / (cost["visible 16"] - cost["visible 1"])
         printf "growth: a hidden layer costs %.1f %% of a visible one\n", hidden
+        split("points sparks discs", kinds, " ")
+        for (i = 1; i <= 3; i++) {
+            each = (cost[kinds[i] " 500"] - cost[kinds[i] " 0"]) / 500
+            printf "growth: one of 500 %s costs %.1f instructions\n", kinds[i], each
+            wrong = wrong || (bar > 0 && i == 1 && each > bar)
+        }
         exit wrong || share >= 5 || !(hidden < 5) || !(outside > 0 && outside < most)
     }' <(grep -v '^pixels\|^band' "$B/bench-$core/growth"; grep '^pixels' "$B/bench-$core/growth"; grep '^band' "$B/bench-$core/growth")
 

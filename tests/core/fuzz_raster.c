@@ -30,6 +30,7 @@
 #define EDGES       16
 #define ONE_MEMORY  2048 /* vertices, where triangles lie in their memory, too */
 #define DRAWS       3    /* of the mesh in a frame, most: with a second camera, and as a shadow */
+#define POINTS      8
 #define PARTS       4
 #define LOG2_MAX    6 /* of texture sizes; LOG2_MOST now and then */
 #define LOG2_MOST   10
@@ -515,6 +516,12 @@ static void draw(struct ph_renderer *r, const struct content *c)
     check_code(ph_draw_mesh(r, &empty, &c->to_world), "a mesh without vertices returned an unknown code");
     check_code(ph_draw_shadow(r, &empty, &c->to_world, light, &c->ground, &c->materials[1]),
                "the shadow of a mesh without vertices returned an unknown code");
+    const struct ph_points points = {.positions = c->positions,
+                                     .count = c->lines ? POINTS : 0,
+                                     .size = c->positions[0].x,
+                                     .in_world = c->second_camera,
+                                     .round = c->billboard};
+    check_code(ph_draw_points(r, &points, &c->to_world, &c->materials[3]), "ph_draw_points returned an unknown code");
     for (int i = 0; c->lines && i < 4; i++) {
         ph_draw_line(r, c->positions[i], c->positions[i + 4], &c->materials[i]);
     }
@@ -523,7 +530,7 @@ static void draw(struct ph_renderer *r, const struct content *c)
 static void check_stats(const struct ph_renderer *r)
 {
     const struct ph_stats *s = &r->stats;
-    if (s->triangles_drawn > r->config.triangle_max || s->vertices > DRAWS * VERTICES + 4 ||
+    if (s->triangles_drawn > r->config.triangle_max || s->vertices > DRAWS * VERTICES + 4 + POINTS ||
         s->triangles_in > DRAWS * TRIANGLES + 2 || s->triangles_culled > s->triangles_in ||
         s->triangles_clipped > s->triangles_in) {
         fail("the statistics do not add up");

@@ -1,5 +1,6 @@
 /* Everything that render.h and shadow.h draw: each shading, filter, light, lens and depth format, blends, fog, lines,
- * billboards, shadows, antialiasing, a second core, ph_show and its differences. `display` says what is drawn. */
+ * billboards, shadows, antialiasing, a second core, ph_show and its differences; but no points, which points.c draws.
+ * `display` says what is drawn. */
 #include "picture.h"
 
 #include "shadow.h"

@@ -14,6 +14,7 @@
 #include "feed.h"
 #include "fog.h"
 #include "kernels.h"
+#include "points.h"
 #include "raster.h"
 #include "samples.h"
 #include "setup.h"
@@ -176,11 +177,14 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
     }
     struct ph_feed f;
     ph_feed_start(&f, r, band);
-    if (antialiasing == NULL || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) {
+    if (antialiasing == NULL || f.ref != PH_NONE || r->carried != NULL || r->after != NULL || r->points != NULL) {
         if (antialiasing != NULL) {
             antialiasing->clear_samples(&rows, &in, r->background);
         }
         draw_triangles(&f, &rows);
+        if (r->points != NULL) {
+            r->points->draw_opaque(r, &rows, band);
+        }
         if (r->after != NULL) {
             rows.coarse = NULL; /* blended triangles are drawn into rows of their own */
             r->after->draw_after(r, &rows);

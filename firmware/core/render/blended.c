@@ -13,6 +13,7 @@
 #include "edge.h"
 #include "fog.h"
 #include "kernels.h"
+#include "points.h"
 #include "raster.h"
 #include "raster_rows.h"
 #include "setup.h"
@@ -263,6 +264,10 @@ static void draw_kind(struct blend_pass *o, bool blends)
         const struct ph_draw *const draw = ph_at(r, place);
         place = draw->next;
         if (!is_of_kind(draw, blends)) {
+            continue;
+        }
+        if ((draw->kind & PH_DRAW_POINTS) != 0) {
+            o->fragments += r->points->draw_blended(r, o->band, draw);
             continue;
         }
         const struct ph_ref *ref = ph_ref_at(r, draw->first);

@@ -88,7 +88,7 @@ static bool touches(const struct ph_feed *f, const struct ph_draw *draw, const s
 {
     const int32_t height = f->r->config.band_height, y0 = (int32_t)f->band * height;
     const struct ph_box box = ph_box_of(f->r, draw, ref);
-    return box.y0 < y0 + height && box.y1 > y0;
+    return draw->material->blend == NULL && box.y0 < y0 + height && box.y1 > y0;
 }
 
 PH_TIER(seldom) uint32_t ph_feed_far(const struct ph_feed *f, uint32_t ref)

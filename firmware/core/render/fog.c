@@ -10,27 +10,6 @@
 #include "list.h"
 #include "planes.h"
 
-/* The depth code at a distance, 1 or more: that of a triangle which keeps it. */
-static uint32_t code_at(const struct ph_renderer *r, fx_t w)
-{
-    const struct ph_lens *const lens = &r->lens;
-    const struct ph_depth_ways *const ways = ph_depth_ways(r);
-    struct ph_vertex v = {.code = 0};
-    const struct ph_vertex *const corners[3] = {&v, &v, &v};
-    uint32_t d[3];
-    ph_vertex_depth(&v, ph_depth_quotient(lens, w));
-    if (ways->block_depths != NULL) {
-        ways->block_depths(r, corners, 0, d);
-    } else if (ph_depth_coding(r) == PH_DEPTH_IS_LINEAR) {
-        struct ph_linear linear = lens->linear;
-        linear.down = (int8_t)(linear.down - v.s);
-        d[0] = ph_depth_linear(&linear, v.q >> 2);
-    } else {
-        d[0] = ph_depth_at(lens, (struct ph_quotient){v.q, v.s}, 0) + PH_DEPTH_BIAS_FIXED16;
-    }
-    return d[0] >> (32 - r->stats.depth_format->bits);
-}
-
 void ph_fog_start(struct ph_fog_here *fog, const struct ph_renderer *r, uint16_t colour)
 {
     *fog = (struct ph_fog_here){r->fog_codes, ph_spread(colour), UINT32_MAX, 0, 32, 0};
@@ -97,7 +76,9 @@ PH_TIER(seldom) int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog
     }
     for (int i = 0; i < 32; i++) {
         const fx_t w = (fx_t)(fog->start + (((int64_t)fog->end - fog->start) * (2 * i + 1) >> 6));
-        r->fog_codes[i] = w <= r->lens.near_z ? UINT32_MAX : w > r->lens.far_z ? 0 : code_at(r, w);
+        r->fog_codes[i] = w <= r->lens.near_z ? UINT32_MAX
+                          : w > r->lens.far_z ? 0
+                                              : ph_depth_code(r, ph_depth_quotient(&r->lens, w), 0);
     }
     r->fog_of = *fog;
     r->fog = &fogging;

@@ -94,6 +94,8 @@ PH_TIER(few) void ph_list_begin(struct ph_renderer *r)
     list->is_closed = PH_LIST_OPEN;
     r->rows = 0;
     r->after = NULL;
+    r->points = NULL;
+    r->clouds = PH_NONE;
     list->band_scale = (((uint32_t)1 << 20) + c->band_height - 1) / c->band_height;
     set_end(r);
 }

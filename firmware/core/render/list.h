@@ -33,6 +33,7 @@ enum ph_draw_kind {
     PH_DRAW_LINES = 4,     /* the references are lines */
     PH_DRAW_COLOURS = 8,   /* the light of a corner is its lit colour, RGB565 as a number */
     PH_DRAW_ONE_SIDE = 16, /* the two sides of its two-sided material are drawn one after the other */
+    PH_DRAW_POINTS = 32,   /* its only reference is none: the base is the place of a struct ph_cloud */
 };
 
 /* What references have in common. */

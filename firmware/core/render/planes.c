@@ -341,6 +341,24 @@ PH_NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph
     return PH_BLOCK_NONE;
 }
 
+uint32_t ph_depth_code(const struct ph_renderer *r, struct ph_quotient quotient, uint32_t bias)
+{
+    const struct ph_vertex v = {.q = quotient.q, .s = quotient.s}, *const corners[3] = {&v, &v, &v};
+    const struct ph_depth_ways *const ways = ph_depth_ways(r);
+    uint32_t d[3];
+    if (ways->block_depths != NULL) {
+        ways->block_depths(r, corners, bias, d);
+    } else if (ph_depth_coding(r) == PH_DEPTH_IS_LINEAR) {
+        struct ph_linear linear = r->lens.linear;
+        linear.bias = (uint8_t)(linear.bias + bias);
+        linear.down = (int8_t)(linear.down - quotient.s);
+        d[0] = ph_depth_linear(&linear, quotient.q >> 2);
+    } else {
+        d[0] = ph_depth_at(&r->lens, quotient, 0) + PH_DEPTH_BIAS_FIXED16 + (bias << 16);
+    }
+    return d[0] >> (32 - r->stats.depth_format->bits);
+}
+
 /*
  * Rounds a plane that crosses octaves, so that its codes are the same from wherever a row is begun: no bit of a
  * gradient is lost when it is shifted to the slope of an octave. Over many octaves that would cost the far end its

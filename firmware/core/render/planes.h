@@ -49,6 +49,9 @@ static inline struct ph_quotient ph_depth_of(const struct ph_vertex *v)
  * returned; else the block exponent of the triangle. */
 uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
 
+/* The depth code of what keeps its distance, which is 1 or more; bias: codes, as in a material. */
+uint32_t ph_depth_code(const struct ph_renderer *r, struct ph_quotient quotient, uint32_t bias);
+
 /* Whether the plane of ph_setup_small is exact enough for depths (units of 2^-(32 + block)) across octaves. Two octaves
  * at most; and its gradients are off by up to 2^8 units a pixel. Over 16 columns and rows, in octave `far`, these are
  * 2^(far - down - 3) codes: half a code, or one in the octave beside it, up to far = down + 2. Beyond, near the far

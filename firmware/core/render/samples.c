@@ -104,7 +104,7 @@ PH_TIER(seldom) void ph_samples_columns(struct ph_renderer *r, uint32_t band, st
     ph_feed_start(&w.f, r, band);
     const struct ph_ref *const at = carried != NULL ? w.first - carried->order : at_number(&w, w.f.ref);
     *in = (struct ph_columns){0, 0};
-    if (r->after == NULL) {
+    if (r->after == NULL && r->points == NULL) {
         if (at == NULL) {
             return;
         }
