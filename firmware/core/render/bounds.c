@@ -112,7 +112,7 @@ static bool misses(struct ph_renderer *r, const struct ph_sphere *sphere, const 
         return false;
     }
     if (lens->kind == PH_FISHEYE) {
-        return r->projection.curved->misses_sphere(r, x, y, w, radius);
+        return ph_fisheye_misses_sphere(r, x, y, w, radius);
     }
     const int32_t divisor = lens->kind == PH_ORTHOGRAPHIC ? FX_ONE : w;
     return misses_sides(lens, lens->focal_x, lens->centre_x, r->config.width, x, divisor, radius) ||

@@ -40,6 +40,16 @@ uint32_t ph_depth_at(const struct ph_lens *lens, struct ph_quotient quotient, in
     return ph_depth_before(quotient, ph_depth_far(lens, block), block);
 }
 
+uint32_t ph_lens_near(const struct ph_projection *p, int *shift)
+{
+    const uint32_t n = (uint32_t)p->near_z, f = (uint32_t)p->far_z, least = f / 8 + 1;
+    const int up = fx_clz32(n);
+    const uint64_t scaled = fx_quotient_u64(fx_mul_wide_u(n << up, f), f - n > least ? f - n : least);
+    const int down = 32 - fx_clz32((uint32_t)(scaled >> 32)); /* at most 3 */
+    *shift = up - down;
+    return (uint32_t)(scaled >> down);
+}
+
 /* w of a quotient. Its unit is the one in which w at the far plane is the plain reciprocal of the far plane's q. */
 static uint32_t w_of(struct ph_quotient quotient, int far_down)
 {
@@ -57,4 +67,9 @@ struct ph_linear ph_depth_linear_of(const struct ph_lens *lens)
     const int far_down = lens->far_s + shift;
     const uint32_t scale = fx_rcp_norm(far - w_of(ph_depth_quotient(lens, lens->near_z), far_down), &up);
     return (struct ph_linear){far, scale - (scale >> 9), (uint8_t)up, PH_DEPTH_BIAS_FIXED16 >> 16, (int8_t)far_down};
+}
+
+PH_TIER(seldom) uint32_t ph_depth_linear_code(const struct ph_linear *linear, uint32_t over_w)
+{
+    return ph_depth_linear(linear, over_w);
 }

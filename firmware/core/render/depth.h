@@ -155,6 +155,9 @@ static inline uint32_t ph_depth_float16_offset(int octave, int block, int down)
     return ((uint32_t)((2 << down) - 2 - octave - block) << (31 - down)) + PH_DEPTH_BIAS_FLOAT16;
 }
 
+/* N of the fixed formats but for the head room: n f / (f - n), but less than 8 n; from 2^31 on, times 2^-*shift. */
+uint32_t ph_lens_near(const struct ph_projection *p, int *shift);
+
 /* The struct ph_linear of a camera, for the lowest exponent `least` = 0. */
 struct ph_linear ph_depth_linear_of(const struct ph_lens *lens);
 
@@ -170,5 +173,8 @@ static inline uint32_t ph_depth_linear(const struct ph_linear *linear, uint32_t 
     const uint32_t d = fx_mulhi_u32((before < most ? before : most) << linear->up, linear->scale);
     return ((d < nearest ? d : nearest) << 2) + ((uint32_t)linear->bias << 16);
 }
+
+/* ph_depth_linear as a function of its own, for what is rare. */
+uint32_t ph_depth_linear_code(const struct ph_linear *linear, uint32_t over_w);
 
 #endif

@@ -102,7 +102,7 @@ PH_TIER(seldom) static uint32_t linear_code(const struct ph_exact *e, const stru
     struct ph_linear l = *linear;
     const int octave = octave_of(e, over_w);
     l.down = (int8_t)(e->down - (octave + 1));
-    return ph_depth_linear(&l, in_codes(over_w, e->unit - octave, 0));
+    return ph_depth_linear_code(&l, in_codes(over_w, e->unit - octave, 0));
 }
 
 PH_TIER(seldom) static void lift_linear(const struct ph_exact *e, struct ph_linear *linear, uint64_t by)

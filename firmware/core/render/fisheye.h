@@ -23,9 +23,6 @@ struct ph_curved_lens {
      * seen. */
     bool (*misses_picture)(const struct ph_renderer *r, const struct ph_vertex *const v[3]);
 
-    /* bounds.h: whether a sphere around (x, y, w), within 4096.0, lies off the picture. */
-    bool (*misses_sphere)(const struct ph_renderer *r, int32_t x, int32_t y, int32_t w, int32_t radius);
-
     /* Subdivide, clip and list a triangle, or a line. Corners have their position in x, y, w; their z is not read.
      * Statistics count as in ph_draw_clipped. */
     void (*draw_curved)(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
@@ -40,7 +37,11 @@ void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32_t y, int32_t
 bool ph_fisheye_is_small(const struct ph_lens *lens, const struct ph_vertex *a, const struct ph_vertex *b,
                          const struct ph_vertex *c);
 bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *const v[3]);
-bool ph_fisheye_misses_sphere(const struct ph_renderer *r, int32_t x, int32_t y, int32_t w, int32_t radius);
+
+/* bounds.h: whether a sphere around (x, y, w), within 4096.0, lies off the picture. It is weak, so that a program links
+ * it if it names both a fisheye and bounds; bounds.c calls it under a fisheye only. */
+__attribute__((weak)) bool ph_fisheye_misses_sphere(const struct ph_renderer *r, int32_t x, int32_t y, int32_t w,
+                                                    int32_t radius);
 void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                          const struct ph_clip_vertex in[3]);
 void ph_fisheye_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex ends[2]);

@@ -35,17 +35,6 @@ static inline int ph_lens_focal(struct ph_lens *lens, const struct ph_projection
     return PH_OK;
 }
 
-/* n f / (f - n), but less than 8 n: from 2^31 on, times 2^-*shift. */
-static inline uint32_t ph_lens_near(const struct ph_projection *p, int *shift)
-{
-    const uint32_t n = (uint32_t)p->near_z, f = (uint32_t)p->far_z, least = f / 8 + 1;
-    const int up = fx_clz32(n);
-    const uint64_t scaled = fx_quotient_u64(fx_mul_wide_u(n << up, f), f - n > least ? f - n : least);
-    const int down = 32 - fx_clz32((uint32_t)(scaled >> 32)); /* at most 3 */
-    *shift = up - down;
-    return (uint32_t)(scaled >> down);
-}
-
 static inline void ph_lens_depth(struct ph_lens *lens, const struct ph_projection *p,
                                  const struct ph_depth_format *format)
 {

@@ -352,7 +352,7 @@ uint32_t ph_depth_code(const struct ph_renderer *r, struct ph_quotient quotient,
         struct ph_linear linear = r->lens.linear;
         linear.bias = (uint8_t)(linear.bias + bias);
         linear.down = (int8_t)(linear.down - quotient.s);
-        d[0] = ph_depth_linear(&linear, quotient.q >> 2);
+        d[0] = ph_depth_linear_code(&linear, quotient.q >> 2);
     } else {
         d[0] = ph_depth_at(&r->lens, quotient, 0) + PH_DEPTH_BIAS_FIXED16 + (bias << 16);
     }
