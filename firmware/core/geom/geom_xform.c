@@ -15,7 +15,7 @@ static inline int64_t product(int32_t a, int32_t b)
 
 /* A row in Q2.30 times (x, y, z), plus c, rounded once: as geom_sum_rounded, but without a loop. The three products fit
  * 64 bits together if x, y and z are above -2^30 and not above 2^30: the signs of 2^30 - x and so on say so. */
-PH_TIER(mesh) static int32_t wide_row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
+PH_TIER(seldom) static int32_t wide_row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
     const int64_t px = product(row[0], x), py = product(row[1], y), pz = product(row[2], z);
     const uint32_t one = FX_Q30_ONE, below = one - 1, half = one / 2;

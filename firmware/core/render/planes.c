@@ -186,7 +186,7 @@ PH_TIER(scenery) static void plane_light(struct ph_plane *out, const struct ph_p
 }
 
 /* plane_through to its last bit, for formats that keep 24 bits of the values. */
-PH_TIER(scenery) static int plane_exact(struct ph_plane *out, const struct ph_plane_base *s, const uint32_t v[3])
+PH_TIER(seldom) static int plane_exact(struct ph_plane *out, const struct ph_plane_base *s, const uint32_t v[3])
 {
     int halved;
     const struct pixel_gradient g = wide_gradient(s, (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], &halved);

@@ -220,7 +220,7 @@ uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangl
     return count;
 }
 
-PH_TIER(scenery) uint32_t ph_draw_split(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(seldom) uint32_t ph_draw_split(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = ph_cut_rows(t, band, &r);

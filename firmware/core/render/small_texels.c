@@ -258,7 +258,7 @@ uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_t
     return draw_run_of(s);
 }
 
-PH_TIER(scenery)
+PH_TIER(seldom)
 void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece *piece, uint16_t *depth,
                            uint16_t *pixels)
 {

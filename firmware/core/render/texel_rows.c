@@ -215,7 +215,7 @@ static inline int side_of(const struct ph_texel_way *way, const struct border *b
 
 /* Returns how many of the first n columns lie on the same side as column 0. Outside u or v becomes that of the
  * texture's border. */
-PH_TIER(scenery) static uint32_t clamp_way(struct ph_texel_way *way, const struct border *b, uint32_t n)
+PH_TIER(seldom) static uint32_t clamp_way(struct ph_texel_way *way, const struct border *b, uint32_t n)
 {
     const int side = side_of(way, b, 0);
     if (side_of(way, b, n - 1) != side) {
