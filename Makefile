@@ -241,7 +241,7 @@ firmware-objects: core-objects $(call objects,$(APP_SRC) $(wildcard hal/panel/*.
 test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)
 
--include firmware/firmware.mk firmware/package/package.mk
+-include firmware/firmware.mk firmware/package/package.mk host-sim/page/page.mk
 
 demo: ## renders the demonstration into build/demo (needs nothing but cc and make)
 	+$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$$(getconf _NPROCESSORS_ONLN || echo 1)) '$(B)/pinhole-sim' '$(B)/pinhole-sheet'

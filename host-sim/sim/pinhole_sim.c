@@ -8,12 +8,12 @@
 #include "crc32.h"
 #include "frame_check.h"
 #include "frame_out.h"
-#include "json_text.h"
 #include "key_script.h"
 #include "model.h"
 #include "nearest.h"
 #include "progress.h"
 #include "signal_stop.h"
+#include "sim_list.h"
 #include "sim_matrix.h"
 #include "sim_options.h"
 #include "sim_player.h"
@@ -30,62 +30,6 @@
 
 #define FRAME_LIMIT 1000000000u        /* the highest number of a frame is below */
 #define SHORTEST_NS (1000000000u / 60) /* a window shows no more frames than most screens do */
-
-/* Names of the demo's views, with a space before each. */
-static void view_names(const struct demo *demo, char *text, size_t size)
-{
-    size_t n = 0;
-    text[0] = '\0';
-    for (size_t i = 0; demo->views != NULL && demo->views[i] != NULL && n < size; i++) {
-        n += (size_t)snprintf(text + n, size - n, " %s", demo->views[i]);
-    }
-}
-
-static void print_list(void)
-{
-    for (uint32_t i = 0; i < demo_count; i++) {
-        char loop[24], views[200];
-        view_names(demo_list[i], views, sizeof views);
-        snprintf(loop, sizeof loop, "%u frame%s", (unsigned)demo_list[i]->loop_frames,
-                 demo_list[i]->loop_frames == 1 ? "" : "s");
-        printf("demo   %-26s %-11s %s%s%s%s\n", demo_list[i]->name, loop, demo_list[i]->summary,
-               views[0] != '\0' ? "; --view" : "", views, demo_list[i]->by_name_only ? "; by name only" : "");
-    }
-    for (uint32_t i = 0; i < board_count; i++) {
-        const struct panel *panel = board_list[i]->panel;
-        char size[16];
-        snprintf(size, sizeof size, "%ux%u", (unsigned)panel_width(panel, board_list[i]->rotation),
-                 (unsigned)panel_height(panel, board_list[i]->rotation));
-        printf("board  %-26s %-8s %s\n", board_list[i]->name, size, board_list[i]->title);
-    }
-}
-
-/* Prints `{"demos": [..], "boards": [..]}`. */
-static void print_json_list(void)
-{
-    fputs("{\"demos\": [", stdout);
-    for (uint32_t i = 0; i < demo_count; i++) {
-        const struct demo *const d = demo_list[i];
-        printf("%s\n  {\"name\": \"%s\", \"frames\": %u, \"summary\": ", i > 0 ? "," : "", d->name,
-               (unsigned)d->loop_frames);
-        json_text(stdout, d->summary);
-        fputs(", \"views\": [", stdout);
-        for (size_t k = 0; d->views != NULL && d->views[k] != NULL; k++) {
-            printf("%s\"%s\"", k > 0 ? ", " : "", d->views[k]);
-        }
-        fputs("]}", stdout);
-    }
-    fputs("\n ], \"boards\": [", stdout);
-    for (uint32_t i = 0; i < board_count; i++) {
-        const struct board *const b = board_list[i];
-        printf("%s\n  {\"name\": \"%s\", \"width\": %u, \"height\": %u, \"panel\": \"%s\", \"title\": ",
-               i > 0 ? "," : "", b->name, (unsigned)panel_width(b->panel, b->rotation),
-               (unsigned)panel_height(b->panel, b->rotation), b->panel->name);
-        json_text(stdout, b->title);
-        fputs("}", stdout);
-    }
-    fputs("\n ]}\n", stdout);
-}
 
 static int choose_board(const struct sim_options *o, struct sim_virtual *virtual_board, const struct board **board)
 {
@@ -179,7 +123,7 @@ static int choose_view(const struct sim_options *o, struct sim_player_setup *set
     if (o->view == NULL || demo_has_view(setup->demo, o->view)) {
         return 0;
     }
-    view_names(setup->demo, names, sizeof names);
+    sim_list_views(setup->demo, names, sizeof names);
     return complain_usage("--view '%s': %s has %s%s", o->view, setup->demo->name,
                           names[0] != '\0' ? "the views" : "but one view", names);
 }
@@ -338,9 +282,6 @@ static int follow(const struct sim_options *o, struct stage *stage, struct sim_p
     return status == 0 ? sim_window_resize(stage->window, stage->setup->board->title, width, height) : status;
 }
 
-#define DRAG_TURN  (1u << 24)    /* 256 pixels of the picture are a turn */
-#define WHEEL_AWAY (FX_ONE / 16) /* of the distance, a notch */
-
 /* Sets the kit's buttons from script and keyboard, and moves the camera by the mouse. 0, COMPLAINED, or WINDOW_CLOSED.
  */
 #define WINDOW_CLOSED 1
@@ -362,9 +303,7 @@ static int press(const struct sim_options *o, struct stage *stage, struct sim_pl
                 return status;
             }
         }
-        const int32_t lift = input.lift < -64 ? -64 : input.lift > 64 ? 64 : input.lift;
-        sim_player_move(p, 0u - (uint32_t)input.drag * DRAG_TURN, lift * (int32_t)DRAG_TURN,
-                        -input.notches * WHEEL_AWAY);
+        sim_player_drag(p, input.drag, input.lift, input.notches);
     }
     sim_buttons_set(p->sim, input.buttons | key_script_at(&stage->keys, frame));
     return 0;
@@ -470,7 +409,7 @@ int main(int argc, char *argv[])
     if (options.action == OPTION_HELP) {
         sim_options_help();
     } else if (options.action == OPTION_LIST) {
-        (options.json ? print_json_list : print_list)();
+        (options.json ? sim_list_print_json : sim_list_print)();
     } else if (options.out != NULL && strcmp(options.out, "-") == 0 && isatty(STDOUT_FILENO)) {
         status = complain_usage("--out -: stdout is a terminal; pipe it into a program, or use --out FILE.ppm");
     } else {

@@ -87,6 +87,15 @@ void sim_player_move(struct sim_player *p, uint32_t turn32, int32_t up32, fx_t a
     p->runner.context.dolly += away;
 }
 
+#define DRAG_TURN  (1u << 24)    /* 256 pixels of the picture are a turn */
+#define WHEEL_AWAY (FX_ONE / 16) /* of the distance, a notch */
+
+void sim_player_drag(struct sim_player *p, int32_t right, int32_t down, int32_t notches)
+{
+    const int32_t up = down < -64 ? -64 : down > 64 ? 64 : down;
+    sim_player_move(p, 0u - (uint32_t)right * DRAG_TURN, up * (int32_t)DRAG_TURN, -notches * WHEEL_AWAY);
+}
+
 int sim_player_frame(struct sim_player *p, uint32_t frame)
 {
     p->counters = sim_counters(p->sim);

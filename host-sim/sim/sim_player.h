@@ -44,6 +44,10 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup);
  * kit's buttons do (demo_input); and moves it up over the scene by up32, a turn32. */
 void sim_player_move(struct sim_player *p, uint32_t turn32, int32_t up32, fx_t away);
 
+/* Moves the camera as a pointer does that drags the scene: by right and down pixels of the picture, of which 256 are a
+ * turn. Each notch of the wheel away from the user brings it nearer by 1/16 of its distance. */
+void sim_player_drag(struct sim_player *p, int32_t right, int32_t down, int32_t notches);
+
 /* Gives the demo the kit's buttons, draws frame number `frame` and sends it to the panel; then p->picture is what the
  * glass shows. 0 or COMPLAINED. */
 int sim_player_frame(struct sim_player *p, uint32_t frame);

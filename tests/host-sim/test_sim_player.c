@@ -91,6 +91,24 @@ static void a_camera_without_a_volume_is_one_line_and_a_failure(void **state)
     assert_int_equal(stderr_capture_lines(&c), 1);
 }
 
+static void a_drag_turns_against_the_pointer_and_stops_above_the_scene(void **state)
+{
+    struct sim_player player = {.sim = NULL};
+    const struct demo_context *const camera = &player.runner.context;
+    (void)state;
+    sim_player_drag(&player, 64, 0, 0);
+    assert_true(camera->orbit == 0xC0000000u); /* a quarter turn clockwise: 256 pixels are a turn */
+    sim_player_drag(&player, -64, 16, 0);
+    assert_true(camera->orbit == 0);
+    assert_int_equal(camera->tilt, 1 << 28);
+    sim_player_drag(&player, 0, 1000, 0);
+    assert_int_equal(camera->tilt, 1 << 30);
+    sim_player_drag(&player, 0, -2000, 0); /* at most a quarter turn a call */
+    assert_int_equal(camera->tilt, 0);
+    sim_player_drag(&player, 0, 0, 2);
+    assert_int_equal(camera->dolly, -FX_ONE / 8);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -98,6 +116,7 @@ int main(void)
         cmocka_unit_test(a_complaint_is_one_line_and_a_failure),
         cmocka_unit_test(a_bus_that_fails_is_one_line_and_a_failure),
         cmocka_unit_test(a_camera_without_a_volume_is_one_line_and_a_failure),
+        cmocka_unit_test(a_drag_turns_against_the_pointer_and_stops_above_the_scene),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
