@@ -117,7 +117,7 @@ every_paper_is_linked() { # a README.md that README.md does not name is not foun
 targets_exist() {
     local target
     while read -r target; do
-        grep -qh "^$target:.*##" Makefile firmware/firmware.mk firmware/package/package.mk || { echo "make $target" && return 1; }
+        grep -qh "^$target:.*##" Makefile firmware/firmware.mk firmware/package/package.mk host-sim/page/page.mk || { echo "make $target" && return 1; }
     done < <(grep -ohE '(^|`)make [a-z][a-z-]*' "${readmes[@]}" | cut -d' ' -f2 | sort -u)
 }
 

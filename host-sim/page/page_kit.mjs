@@ -1,0 +1,160 @@
+// kit: the tab in which a demo runs on a kit.
+import { readAddress, writeAddress } from './page_address.mjs';
+import { watchButtons } from './page_buttons.mjs';
+import { makeGlass } from './page_glass.mjs';
+import { makePlayer } from './page_player.mjs';
+
+const at = (id) => document.getElementById(id);
+const count = (n) => n.toLocaleString('en');
+
+function fill(select, texts) {
+    select.replaceChildren(...texts.map((text, i) => new Option(text, i)));
+}
+
+// Shows the cost of a frame: the numbers of --stats. The bus is the kit's, so its time is that of the board's clock.
+function showFacts(list, stats, crc, rate) {
+    const facts = [
+        ['crc32', crc],
+        ['on the wire', `${count(stats.wire_bytes)} bytes`],
+        ['time on the bus', `${(stats.bus_us / 1000).toFixed(2)} ms`],
+        ['clock of the bus', `${+(stats.clock_hz / 1e6).toFixed(2)} MHz`],
+        ['the bus allows', `${stats.fps.toFixed(1)} frames/s`],
+        ['this page draws', rate > 0 ? `${rate.toFixed(1)} frames/s` : '-'],
+        ['triangles drawn', `${count(stats.triangles_drawn)} of ${count(stats.triangles_in)}`],
+        ['left out', count(stats.triangles_dropped)],
+        ['depth', stats.depth],
+    ];
+    list.replaceChildren(...facts.flatMap(([name, value]) => {
+        const dt = document.createElement('dt'), dd = document.createElement('dd');
+        dt.textContent = name;
+        dd.textContent = value;
+        dd.dataset.name = name;
+        return [dt, dd];
+    }));
+}
+
+export function openKit(core) {
+    let state = null, shown = -1, rate = 0, opened = false; // shown: the frame on the glass
+    const say = (text, wrong = false) => {
+        at('said').textContent = text;
+        at('said').classList.toggle('wrong', wrong);
+    };
+    const title = () => state.board < 0 ? `no kit: a glass of ${state.width}x${state.height}` : core.boards[state.board].title;
+    const remember = () => history.replaceState(null, '', writeAddress(state, core));
+    const showChoices = () => {
+        const demo = core.demos[state.demo];
+        at('board').value = state.board;
+        at('demo').value = state.demo;
+        at('depth').value = state.depth;
+        at('summary').textContent = `${demo.summary}; ${demo.frames} frame${demo.frames === 1 ? '' : 's'}`;
+        at('views').hidden = demo.views.length === 0;
+        fill(at('view'), demo.views);
+        at('view').value = state.view;
+        at('title').textContent = title();
+        glass.describe(`${demo.name} on ${title()}`);
+    };
+
+    // Draws the frame of the state, with the buttons that are pressed. Returns its time on the bus, or -1.
+    const draw = () => {
+        if (!opened || !core.frame(state.frame, buttons())) {
+            say(core.messages() || at('said').textContent, true);
+            return -1;
+        }
+        const note = core.messages(), stats = core.stats(state.frame);
+        if (note !== '') {
+            say(note, true);
+        }
+        shown = state.frame;
+        glass.show(core.glass());
+        at('frame').value = state.frame;
+        showFacts(at('facts'), stats, core.crc(), player.isPlaying() ? rate : 0);
+        if (core.demo() !== state.demo) { // the select button took the next
+            state = { ...state, demo: core.demo(), view: 0 };
+            showChoices();
+        }
+        return stats.bus_us / 1000;
+    };
+    const drawNext = () => {
+        state.frame = shown === state.frame ? (state.frame + 1) % 1e9 : state.frame;
+        return draw();
+    };
+    const step = () => {
+        player.pause();
+        if (drawNext() >= 0) {
+            say(`frame ${state.frame} crc32 ${core.crc()}`);
+            remember();
+        }
+    };
+    const redraw = () => !player.isPlaying() && draw() >= 0 && remember();
+    const open = () => {
+        say('');
+        opened = core.open(state);
+        if (!opened) {
+            say(core.messages(), true);
+        }
+        shown = -1;
+        showChoices();
+        remember();
+        if (opened && !player.isPlaying()) {
+            draw();
+        }
+    };
+    const glass = makeGlass(at('glass'), (...way) => {
+        if (opened) {
+            core.drag(...way);
+            redraw();
+        }
+    });
+    const player = makePlayer(drawNext, (playing) => {
+        at('play').textContent = playing ? 'Pause' : 'Play';
+        rate = 0;
+        remember();
+    }, (frames) => {
+        rate = frames;
+        remember();
+    });
+    const screen = [...document.querySelectorAll('[data-button]')];
+    const buttons = watchButtons(at('glass'), screen, redraw, { p: player.toggle, '.': step });
+
+    fill(at('board'), core.boards.map((board) => `${board.name}, ${board.width}x${board.height}`));
+    at('board').append(new Option('no kit: --size WxH', -1));
+    fill(at('demo'), core.demos.map((demo) => demo.name));
+    fill(at('depth'), core.depths);
+    const choose = (id, change) => at(id).addEventListener('change', () => {
+        state = { ...state, ...change(+at(id).value) };
+        open();
+    });
+    choose('board', (board) => ({ board, width: 320, height: 240 }));
+    choose('demo', (demo) => ({ demo, view: 0, frame: 0 }));
+    choose('view', (view) => ({ view }));
+    choose('depth', (depth) => ({ depth }));
+    at('frame').addEventListener('change', () => {
+        const frame = Math.trunc(+at('frame').value);
+        state.frame = frame >= 0 && frame < 1e9 ? frame : state.frame;
+        at('frame').value = state.frame;
+        shown = -1;
+        redraw();
+    });
+    at('play').addEventListener('click', player.toggle);
+    at('step').addEventListener('click', step);
+    at('speed').addEventListener('change', () => player.setSpeed(+at('speed').value));
+    at('save').addEventListener('click', () => glass.save(`${core.demos[state.demo].name}-${String(shown).padStart(4, '0')}.png`));
+    at('link').addEventListener('click', () => {
+        remember();
+        navigator.clipboard.writeText(location.href).then(() => say('the link is in the clipboard'),
+            () => say('the link is in the address bar'));
+    });
+    const follow = () => {
+        const { wrong, frame, ...kit } = readAddress(location.hash, core);
+        state = { ...kit, frame: Math.max(0, frame) };
+        open();
+        if (wrong.length > 0) {
+            say(wrong.join('; '), true);
+        }
+        return frame;
+    };
+    window.addEventListener('hashchange', follow);
+    if (follow() < 0 && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
+        player.play();
+    }
+}

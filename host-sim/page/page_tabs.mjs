@@ -1,0 +1,31 @@
+// tabs: one part of the page is shown at a time, by buttons that are there from two parts on.
+
+export function showTabs(nav, tabs) {
+    const sections = tabs.map((tab) => document.getElementById(tab.id));
+    const buttons = tabs.map((tab) => {
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.textContent = tab.title;
+        button.setAttribute('role', 'tab');
+        button.setAttribute('aria-controls', tab.id);
+        return button;
+    });
+    const take = (chosen) => buttons.forEach((button, i) => {
+        button.setAttribute('aria-selected', i === chosen);
+        button.tabIndex = i === chosen ? 0 : -1;
+        sections[i].hidden = i !== chosen;
+    });
+    buttons.forEach((button, i) => {
+        button.addEventListener('click', () => take(i));
+        button.addEventListener('keydown', (event) => {
+            const to = i + (event.key === 'ArrowRight') - (event.key === 'ArrowLeft');
+            if (to !== i && buttons[to] !== undefined) {
+                take(to);
+                buttons[to].focus();
+            }
+        });
+    });
+    nav.replaceChildren(...buttons);
+    nav.hidden = tabs.length < 2;
+    take(0);
+}
