@@ -6,7 +6,8 @@ cd "$(dirname "$0")/../.." || exit 1
 export B=${B:-build} CC=${CC:-cc}
 dir=$B/three
 
-. tests/oracle/three/install.sh
+packages=tests/oracle/three
+. tests/support/npm.sh
 
 eval "make -s ${make_args-} B=$B $B/libpinhole.a" && # as tests/run.sh built it
     $CC -std=c11 -O1 -Ifirmware/core/kernels/portable -Ifirmware/core tests/oracle/three/camera_dump.c "$B/libpinhole.a" -o "$dir/camera_dump" ||

@@ -6,7 +6,8 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 export B=${B:-build} CC=${CC:-cc}
 dir=$B/three-motion
-. tests/oracle/three/install.sh
+packages=tests/oracle/three
+. tests/support/npm.sh
 
 pkg-config --exists libpng || { echo "no libpng here" && exit 77; }
 eval "make -s ${make_args-} B=$B $B/tests/oracle/three/motion_dump" || exit 1 # as tests/run.sh built it

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Usage: tests/host-sim/page/browser.sh FOLDER|'' BOARD...
+# Shows the page in Chromium (browser.mjs) and compares it with build/pinhole-sim on these boards; with a folder it tries how
+# the page is used, too. --lacks: says what is not here for that, and fails then. npm gets playwright-core into build/page-test.
+set -u
+cd "$(dirname "$0")/../../.." || exit 1
+B=${B:-build}
+dir=$B/page-test
+packages=tests/host-sim/page
+[ -x /usr/bin/chromium ] || { echo "no Chromium: apt-get install chromium" && exit 77; }
+. tests/support/npm.sh
+[ "${1-}" != --lacks ] || exit 0
+simulator=$B/pinhole-sim
+expected=$dir/expected.$$
+trap 'rm -f "$expected"' EXIT
+demos=$("$simulator" --list | sed -n 's/^demo  *\([^ ]*\)  *\([0-9]*\) frame.*/\1 \2/p')
+
+# For each board and demo the frames 0 to 3 and one from the middle: `board demo frame crc32`.
+for board in "${@:2}"; do
+    while read -r demo frames; do
+        middle=$((frames / 2 > 3 ? frames / 2 : 4))
+        for start in 0 $middle; do
+            "$simulator" --demo "$demo" --board "$board" --start "$start" --frames $((start > 0 ? 1 : 4)) --crc |
+                sed -n "s/^frame \([0-9]*\) crc32 /$board $demo \1 /p"
+        done
+    done <<<"$demos"
+done >"$expected"
+node tests/host-sim/page/browser.mjs "$dir/node_modules" "$B/page/index.html" "$expected" ${1:+"$1"}
