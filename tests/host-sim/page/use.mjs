@@ -60,6 +60,31 @@ async function pointer({ browser, open, check }) {
     await page.context().close();
 }
 
+async function fingers({ browser, open, check }) {
+    const page = await open(browser, { viewport: { width: 360, height: 700 }, hasTouch: true });
+    const crc = async () => (await page.evaluate(() => window.seen()))[1];
+    await page.evaluate(() => window.show('#board=pico-display-2&demo=turntable&frame=5'));
+    const before = await crc(), box = await page.locator('canvas').boundingBox();
+    const session = await page.context().newCDPSession(page);
+    const touch = async (type, ...ways) => {
+        const touchPoints = ways.map(([right, down], id) => ({ x: box.x + box.width / 2 + right, y: box.y + box.height / 2 + down, id }));
+        await session.send('Input.dispatchTouchEvent', { type, touchPoints });
+    };
+    const move = async (from, to) => {
+        await touch('touchStart', ...from);
+        await touch('touchMove', ...to.map(([right, down], i) => [(right + from[i][0]) / 2, (down + from[i][1]) / 2]));
+        await touch('touchMove', ...to);
+        await touch('touchEnd');
+        return crc();
+    };
+    check('a finger goes around', differ(await move([[0, 0]], [[20, -50]]), before, 'crc32'));
+    check('... and back', same(await move([[0, 0]], [[-20, 50]]), before, 'crc32'));
+    check('... and the browser does not scroll by it', same(await page.evaluate(() => getComputedStyle(document.getElementById('glass')).touchAction), 'none', 'touch-action'));
+    check('two fingers come nearer', differ(await move([[-20, 0], [20, 0]], [[-25, 0], [25, 0]]), before, 'crc32'));
+    check('... and go back', same(await move([[-26, 0], [26, 0]], [[-20, 0], [20, 0]]), before, 'crc32'));
+    await page.context().close();
+}
+
 async function choices({ browser, open, check, folder }) {
     const page = await open(browser), hash = () => page.evaluate(() => location.hash);
     await page.selectOption('#board', { label: 'waveshare-rp2040-lcd-1in28, 240x240' });
@@ -98,6 +123,7 @@ async function looks({ browser, open, check, folder }) {
 export async function use(test) {
     await keyboard(test);
     await pointer(test);
+    await fingers(test);
     await choices(test);
     await looks(test);
 }
