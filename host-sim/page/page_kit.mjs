@@ -66,7 +66,9 @@ export function openKit(core) {
         }
         shown = state.frame;
         glass.show(core.glass());
-        at('frame').value = state.frame;
+        if (!player.isPlaying() || document.activeElement !== at('frame')) { // a number that is being typed stays
+            at('frame').value = state.frame;
+        }
         showFacts(at('facts'), stats, core.crc(), player.isPlaying() ? rate : 0);
         if (core.demo() !== state.demo) { // the select button took the next
             state = { ...state, demo: core.demo(), view: 0 };

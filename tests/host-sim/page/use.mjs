@@ -26,6 +26,13 @@ async function keyboard({ browser, open, check, folder }) {
     await page.waitForFunction(() => +document.getElementById('frame').value > 12);
     const name = () => page.evaluate(() => document.getElementById('play').textContent);
     check('the key p plays', same(await name(), 'Pause', 'button'));
+    await page.fill('#frame', '500');
+    await page.waitForTimeout(200);
+    check('a number that is being typed stays while it plays', same((await seen())[0], 500, 'frame'));
+    await page.press('#frame', 'Enter');
+    await page.focus('#glass');
+    await page.waitForFunction(() => +document.getElementById('frame').value > 502);
+    check('... and then it goes on from there', [...same((await seen())[0] < 600, true, 'near frame 500')]);
     await page.keyboard.press('p');
     const [stands] = await seen();
     await page.waitForTimeout(300);
