@@ -62,6 +62,26 @@ void page_drag(int32_t right, int32_t down, int32_t notches)
     sim_player_drag(&page.player, right, down, notches);
 }
 
+void page_move(uint32_t turn32, int32_t up32, int32_t away)
+{
+    sim_player_move(&page.player, turn32, up32, away);
+}
+
+int32_t page_turned(void)
+{
+    return (int32_t)page.player.runner.context.orbit;
+}
+
+int32_t page_raised(void)
+{
+    return page.player.runner.context.tilt;
+}
+
+int32_t page_away(void)
+{
+    return page.player.runner.context.dolly;
+}
+
 uint32_t page_width(void)
 {
     return page.player.picture.width;

@@ -27,6 +27,12 @@ PAGE_EXPORT void page_stats(uint32_t frame);
 /* Moves the camera from the next frame on, as sim_player_drag does. */
 PAGE_EXPORT void page_drag(int32_t right, int32_t down, int32_t notches);
 
+/* Moves the camera as sim_player_move does, and tells how far it has been moved since the kit was opened. */
+PAGE_EXPORT void page_move(uint32_t turn32, int32_t up32, int32_t away);
+PAGE_EXPORT int32_t page_turned(void);
+PAGE_EXPORT int32_t page_raised(void);
+PAGE_EXPORT int32_t page_away(void);
+
 /* Returns the glass's size, and its rows of RGB888 as the last frame left them. */
 PAGE_EXPORT uint32_t page_width(void);
 PAGE_EXPORT uint32_t page_height(void);

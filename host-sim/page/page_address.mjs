@@ -1,8 +1,10 @@
 // address: what the page shows, in its address: #board=NAME&demo=NAME&view=NAME&depth=NAME&frame=N, or size=WxH without
-// a kit. The names are those of the options of pinhole-sim.
+// a kit. The names are those of the options of pinhole-sim. Where the camera was moved, moved=TURN,UP,AWAY says how far
+// (core.moved()).
 
 const FRAMES = 1e9; // numbers of frames are below, as in pinhole-sim
 const SIDE = 1024; // pixels of a glass at most
+const AWAY = 32768; // DEMO_DOLLY_MAX of demo.h
 
 // Returns the index of a name in a list; an unknown name is said, and the default taken.
 function indexOf(list, name, fallback, what, wrong) {
@@ -22,7 +24,16 @@ function readSize(text, wrong) {
     return good ? { board: -1, width: +width, height: +height } : null;
 }
 
-// Returns {board, width, height, demo, view, depth, frame} as indices of the core's lists, frame -1 where none is
+function readMoved(text, wrong) {
+    if (!/^(-?\d{1,10})(,-?\d{1,10}){2}$/.test(text)) {
+        wrong.push(`moved '${text}': three whole numbers`);
+        return [0, 0, 0];
+    }
+    const [turned, raised, away] = text.split(',').map((number) => number | 0);
+    return [turned, raised, Math.max(-AWAY, Math.min(AWAY, away))];
+}
+
+// Returns {board, width, height, demo, view, depth, moved, frame} as indices of the core's lists, frame -1 where none is
 // named; and `wrong`, lines about what the address has wrong.
 export function readAddress(hash, core) {
     const words = new URLSearchParams(hash.replace(/^#/, '')), wrong = [];
@@ -32,12 +43,13 @@ export function readAddress(hash, core) {
     const views = core.demos[demo].views;
     const view = views.length > 0 ? indexOf(views, words.get('view'), views[0], 'view', wrong) : 0;
     const depth = indexOf(core.depths, words.get('depth'), 'auto', 'depth', wrong);
+    const moved = readMoved(words.get('moved') ?? '0,0,0', wrong);
     const text = words.get('frame');
     const good = /^\d{1,9}$/.test(text ?? '0') && +(text ?? 0) < FRAMES;
     if (!good) {
         wrong.push(`frame '${text}': a whole number, 0 .. ${FRAMES - 1}`);
     }
-    return { ...kit, demo, view, depth, frame: text !== null && good ? +text : -1, wrong };
+    return { ...kit, demo, view, depth, moved, frame: text !== null && good ? +text : -1, wrong };
 }
 
 export function writeAddress(state, core) {
@@ -54,6 +66,9 @@ export function writeAddress(state, core) {
     if (state.depth > 0) {
         words.set('depth', core.depths[state.depth]);
     }
+    if (state.moved.some((number) => number !== 0)) {
+        words.set('moved', state.moved.join());
+    }
     words.set('frame', state.frame);
-    return `#${words}`;
+    return `#${words}`.replaceAll('%2C', ',');
 }

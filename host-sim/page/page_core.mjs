@@ -52,6 +52,8 @@ export async function startCore(bytes) {
         },
         frame: (number, buttons = 0) => calls.page_frame(number, buttons) === 0,
         drag: (right, down, notches) => calls.page_drag(right, down, notches),
+        move: (turned, raised, away) => calls.page_move(turned, raised, away),
+        moved: () => [calls.page_turned(), calls.page_raised(), calls.page_away()], // what move() takes to come here again
         demo: () => calls.page_demo(),
         crc: () => (calls.page_crc() >>> 0).toString(16).toUpperCase().padStart(8, '0'),
         stats(number) { // the keys are those of --stats --json

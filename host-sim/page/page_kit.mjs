@@ -40,7 +40,10 @@ export function openKit(core) {
         at('said').classList.toggle('wrong', wrong);
     };
     const title = () => state.board < 0 ? `no kit: a glass of ${state.width}x${state.height}` : core.boards[state.board].title;
-    const remember = () => history.replaceState(null, '', writeAddress(state, core));
+    const remember = () => {
+        state.moved = opened ? core.moved() : state.moved;
+        history.replaceState(null, '', writeAddress(state, core));
+    };
     const showChoices = () => {
         const demo = core.demos[state.demo];
         at('board').value = state.board;
@@ -95,6 +98,9 @@ export function openKit(core) {
             say(core.messages(), true);
         }
         shown = -1;
+        if (opened) {
+            core.move(...state.moved);
+        }
         showChoices();
         remember();
         if (opened && !player.isPlaying()) {
@@ -123,11 +129,12 @@ export function openKit(core) {
     fill(at('demo'), core.demos.map((demo) => demo.name));
     fill(at('depth'), core.depths);
     const choose = (id, change) => at(id).addEventListener('change', () => {
+        remember(); // where the camera is
         state = { ...state, ...change(+at(id).value) };
         open();
     });
     choose('board', (board) => ({ board, width: 320, height: 240 }));
-    choose('demo', (demo) => ({ demo, view: 0, frame: 0 }));
+    choose('demo', (demo) => ({ demo, view: 0, moved: [0, 0, 0], frame: 0 }));
     choose('view', (view) => ({ view }));
     choose('depth', (depth) => ({ depth }));
     at('frame').addEventListener('change', () => {

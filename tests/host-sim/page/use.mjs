@@ -56,7 +56,12 @@ async function pointer({ browser, open, check }) {
         await page.mouse.up();
         return crc();
     };
-    check('a drag goes around', differ(await drag(40, 24), before, 'crc32'));
+    const dragged = await drag(40, 24);
+    check('a drag goes around', differ(dragged, before, 'crc32'));
+    const hash = await page.evaluate(() => location.hash), other = await open(browser);
+    await other.evaluate((to) => window.show(to), hash);
+    check('... which is in the address', same((await other.evaluate(() => window.seen()))[1], dragged, `crc32 of ${hash}`));
+    await other.context().close();
     check('... and back', same(await drag(-40, -24), before, 'crc32'));
     await page.mouse.wheel(0, -100);
     check('the wheel comes nearer', differ(await crc(), before, 'crc32'));
