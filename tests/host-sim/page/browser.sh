@@ -8,6 +8,8 @@ B=${B:-build}
 dir=$B/page-test
 packages=tests/host-sim/page
 [ -x /usr/bin/chromium ] || { echo "no Chromium: apt-get install chromium" && exit 77; }
+timeout 60 /usr/bin/chromium --headless --no-sandbox --disable-gpu --dump-dom about:blank 2>/dev/null </dev/null | grep -q '<html' ||
+    { echo "Chromium does not start here: chromium --headless --no-sandbox --dump-dom about:blank" && exit 77; }
 . tests/support/npm.sh
 [ "${1-}" != --lacks ] || exit 0
 simulator=$B/pinhole-sim
