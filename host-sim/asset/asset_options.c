@@ -64,7 +64,7 @@ static const struct option_row rows[] = {
      "prints how much flash the scene needs, and how much memory on each board: bands of the picture, and the scene's\n"
      "        vertices and the most triangles that a frame lists, looked at from all sides, from afar and near by",
      NULL, .at = offsetof(struct asset_options, report)},
-    {"check", NULL,
+    {"check-bounds", NULL,
      "looks whether the meshes of MODEL, a .c or .phs file that this program wrote, keep within their bounds", NULL,
      .at = offsetof(struct asset_options, check)},
     {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct asset_options, help)},
@@ -92,13 +92,13 @@ static int check(const struct asset_options *o)
     if (o->check) {
         return option_text_ends(o->goal.model, ".c") || option_text_ends(o->goal.model, ".phs")
                    ? 0
-                   : complain_usage("--check: '%s' is no .c or .phs file", o->goal.model);
+                   : complain_usage("--check-bounds: '%s' is no .c or .phs file", o->goal.model);
     }
     if (o->goal.fit && o->goal.board == NULL) {
         return complain_usage("--max-triangles fit: fit what? name a --board");
     }
     if (o->out == NULL && !o->report) {
-        return complain_usage("nothing to do: give -o FILE.c, --report or --check (see --help)");
+        return complain_usage("nothing to do: give -o FILE.c, --report or --check-bounds (see --help)");
     }
     if (o->report && o->out != NULL && strcmp(o->out, "-") == 0) {
         return complain_usage("--report and -o - both want stdout; give -o a file");

@@ -136,7 +136,7 @@ static void a_32_bit_target_takes_less_for_pointers(void **state)
     (void)state;
     const struct animation_need need = animation_need(&scene);
     assert_int_equal(animation_bytes(&need, &scene, MESHES, true),
-                     40 + MESHES * 48 + 2 * 40 + 2 * 48 + 5 * 48 + 8 + 2 * 24 + need.vertex_bytes);
+                     40 + (MESHES * 52 + 7) / 8 * 8 + 2 * 40 + 2 * 48 + 5 * 48 + 8 + 2 * 24 + need.vertex_bytes);
 }
 
 /* ---- motion ------------------------------------------------------------------------------------------------------ */

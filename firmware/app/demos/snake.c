@@ -60,7 +60,6 @@ struct snake {
     struct snake_way way;
     fx_t lawn_scale;
     struct ph_mesh ball[FORMS], shade[FORMS], tree, floor;
-    struct ph_sphere tree_bounds;
     struct ph_material skin[2], face, red, white, black, leaves, tiles[2], dark;
     uint16_t ramps[6][PH_RAMP_SIZE];
 };
@@ -173,7 +172,7 @@ static int snake_init(struct demo_context *context)
         return PH_ERR_NOMEM;
     }
     context->state = s;
-    return ph_mesh_bounds(&s->tree, &s->tree_bounds);
+    return PH_OK;
 }
 
 /* Where a body is as the camera sees it. */
@@ -289,7 +288,8 @@ static int draw_garden(struct ph_renderer *r, const struct snake *s)
     for (uint32_t i = 0; i < TREES && status == PH_OK; i++) {
         const struct fx_vec3 at = {FX_INT(places[i][0]), 0, FX_INT(places[i][1])};
         const fx_t size = FX_ONE + (fx_t)(i % 3) * (FX_ONE / 4);
-        status = draw_at(r, &s->tree, at, size);
+        const struct fx_vec3 middle = {at.x, size * 11 / 10, at.z};
+        status = see(r, middle, size * 5 / 4).at_all ? draw_at(r, &s->tree, at, size) : PH_OK;
         status = status ? status : draw_shade(r, s, at, size * 3 / 4);
     }
     const struct ph_xform lawn = ph_xform_scale(s->lawn_scale);

@@ -156,10 +156,10 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
-    const bool depth24 = r->stats.depth_format->bits > 16;
     if (band != r->list.band || band >= r->band_count || (uintptr_t)pixels % sizeof(uint16_t) != 0 || pixels == NULL) {
         return 0;
     }
+    const bool depth24 = r->stats.depth_format->bits > 16;
     r->list.band++;
     struct ph_coarse coarse[2]; /* the other core has its own, for its rows */
     coarse[0].count = coarse[1].count = 0;

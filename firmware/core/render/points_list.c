@@ -63,7 +63,7 @@ static int32_t half_of(const struct listing *l, fx_t size, const struct ph_verte
 {
     const int up = l->r->samples_log2;
     if (!l->points->in_world) {
-        return ph_min((size + 256) >> 9, HALF_MOST) * (1 << up);
+        return ph_min((int32_t)(((uint32_t)size + 256) >> 9), HALF_MOST) * (1 << up);
     }
     const struct scale *const scale = &l->scale;
     const uint32_t factor = scale->by_distance ? fx_mulhi_u32(scale->factor, v->q) : scale->factor;

@@ -85,7 +85,7 @@ static void what_is_wrong_is_said(void **state)
     } wrong[] = {
         {"", "no model named (see --help)\n"},
         {"--report", "no model named (see --help)\n"},
-        {"m.obj", "nothing to do: give -o FILE.c or --report (see --help)\n"},
+        {"m.obj", "nothing to do: give -o FILE.c, --report or --check-bounds (see --help)\n"},
         {"m.obj n.obj --report", "'n.obj': one model at a time, and m.obj is named already\n"},
         {"m.obj -o", "-o needs a value: FILE.c or FILE.phs\n"},
         {"m.obj -o a.h", "-o 'a.h': must be a file that ends in .c or .phs (a binary scene), or -\n"},

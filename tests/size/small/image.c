@@ -12,14 +12,15 @@
 #define SYST_RVR       REG32(0xE000E014)
 #define SYST_CVR       REG32(0xE000E018)
 
-enum { PAINT = 0x57AC57AC, PARTS_BYTES = 96 }; /* a whole number of PH_TRIANGLE_BYTES_32, PH_PART_BYTES or more */
+/* Vertices and a part share a room, which is counted in vertices. */
+enum { PAINT = 0x57AC57AC, ROOM = VERTICES + (PH_PART_BYTES + PH_VERTEX_BYTES_32 - 1) / PH_VERTEX_BYTES_32 };
 
 extern uint32_t bss_start[], bss_end[], stack_top[];
 
 int main(void);
 void start(void);
 
-static uint64_t vertices[(VERTICES * PH_VERTEX_BYTES_32 + 7) / 8], parts[PARTS_BYTES / 8];
+static _Alignas(8) uint16_t room[ROOM * PH_VERTEX_BYTES_32 / 2];
 static uint16_t pixels[WIDTH * BAND], depth[WIDTH * BAND];
 static struct ph_renderer r;
 
@@ -62,10 +63,9 @@ int main(void)
                                             .height = HEIGHT,
                                             .band_height = BAND,
                                             .depth_format = PH_DEPTH_FIXED16,
-                                            .vertices = vertices,
-                                            .vertex_max = VERTICES,
-                                            .triangles = parts,
-                                            .triangle_max = PARTS_BYTES / PH_TRIANGLE_BYTES_32,
+                                            .vertices = room,
+                                            .vertex_max = ROOM,
+                                            .triangles = room,
                                             .depth = depth};
     int status = ph_renderer_init(&r, &config);
     panel_open();

@@ -2,28 +2,29 @@
  * is told by semihosting, as events for pinhole-wire. */
 #include "small_panel.h"
 
-enum { DC = 1 << 25, RESET = 1 << 27, BACKLIGHT = 1 << 24 };
+enum { DC = 2, RESET = 8, BACKLIGHT = 1, LINES_FROM = 24 }; /* GPIO25, GPIO27, GPIO24 */
 
-static uint32_t time_us, levels;
+static uint16_t time_ms;
+static uint8_t levels; /* of the lines from GPIO24 on */
 
 /* Says the time, in ns. */
 static void say_time(void)
 {
-    char text[14] = "          000";
-    uint32_t left = time_us;
-    for (int i = 9; i >= 0; i--) {
+    char text[12] = "     000000";
+    uint32_t left = time_ms;
+    for (int i = 4; i >= 0; i--) {
         text[i] = (char)('0' + left % 10);
         left /= 10;
     }
     semihost(SAY, text);
 }
 
-static void set_lines(uint32_t to)
+static void set_lines(uint8_t to)
 {
     levels = to;
     say_time();
     semihost(SAY, " level ");
-    say_hex(levels, 8);
+    say_hex((uint32_t)levels << LINES_FROM, 8);
     semihost(SAY, "\n");
 }
 
@@ -32,14 +33,14 @@ static void send(uint32_t is_data, const uint8_t *bytes, uint32_t n)
     if (n == 0) {
         return;
     }
-    set_lines(is_data ? levels | DC : levels & ~(uint32_t)DC);
+    set_lines((uint8_t)(is_data ? levels | DC : levels & ~DC));
     say_time();
     semihost(SAY, " spi 0 8000000 8000000 0 8 ");
-    say_hex(levels, 8);
+    say_hex((uint32_t)levels << LINES_FROM, 8);
     semihost(SAY, " ");
-    say_hex(levels, 8);
+    say_hex((uint32_t)levels << LINES_FROM, 8);
     semihost(SAY, " ");
-    time_us += n; /* 8 bits at 8 MHz */
+    time_ms = (uint16_t)(time_ms + n / 1000 + 1); /* 8 bits at 8 MHz, and a rest */
     say_time();
     semihost(SAY, " ");
     for (uint32_t i = 0; i < n; i++) {
@@ -52,16 +53,16 @@ static void command(uint8_t code, const uint8_t *values, uint32_t n, uint32_t th
 {
     send(0, &code, 1);
     send(1, values, n);
-    time_us += then_ms * 1000;
+    time_ms = (uint16_t)(time_ms + then_ms);
 }
 
 void panel_open(void)
 {
     static const uint8_t rgb565 = 0x05, bgr = 0x08;
     set_lines(0);
-    time_us += 100;
+    time_ms = 1;
     set_lines(RESET);
-    time_us += 120000;
+    time_ms = 121;
     command(0x11, NULL, 0, 120); /* SLPOUT */
     command(0x3a, &rgb565, 1, 0);
     command(0x36, &bgr, 1, 0);
@@ -80,7 +81,7 @@ void panel_end(void)
 {
     if ((levels & BACKLIGHT) == 0) {
         command(0x29, NULL, 0, 0); /* DISPON */
-        set_lines(levels | BACKLIGHT);
+        set_lines((uint8_t)(levels | BACKLIGHT));
     }
 }
 
