@@ -633,7 +633,7 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
  *
  * Cost: a vertex of memory for each point, and one for each 8 rows of the picture; nothing if no point can be seen. A
  * point of 1 px takes some 300 instructions on a Cortex-M0+ and 145 on an M3, of which 220 and 82 are its vertex; a
- * blended one 460 and 255; a disc of 2 px 780 and 500; a size in the world adds 100 and 20. Errors: PH_ERR_INVAL:
+ * blended one 460 and 250; a disc of 2 px 810 and 500 (tests/bench/growth.sh). Errors: PH_ERR_INVAL:
  * points, to_world or material is NULL, or so are the positions of one or more points; or there are more than
  * PH_POINTS_MAX. PH_ERR_NOMEM: there are more points than the vertex budget; they are left out and counted as vertices.
  * (If other draws have taken the room, they are counted, too, but that is no error.) PH_ERR_STATE: no frame has begun,

@@ -10,32 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define Q28(v) ((int32_t)((v) * (1 << 28) + .5))
-
-static struct model torus(void)
-{
-    struct model m = {.arena = arena_of(MODEL_BYTES(512, 1024))};
-    assert_int_equal(model_torus(&m.arena, &m.mesh, 32, 16, Q28(1), Q28(.4)), PH_OK);
-    return m;
-}
-
-static struct model sphere(uint32_t levels)
-{
-    struct model m = {.arena =
-                          arena_of(MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(levels), MODEL_ICOSPHERE_TRIANGLES(levels)))};
-    assert_int_equal(model_icosphere(&m.arena, &m.mesh, levels), PH_OK);
-    assert_int_equal(m.mesh.vertex_count, MODEL_ICOSPHERE_VERTICES(levels));
-    assert_int_equal(m.mesh.triangle_count, MODEL_ICOSPHERE_TRIANGLES(levels));
-    return m;
-}
-
-static struct model ground(void)
-{
-    struct model m = {.arena = arena_of(MODEL_BYTES(441, 800))};
-    assert_int_equal(model_ground(&m.arena, &m.mesh, 20), PH_OK);
-    return m;
-}
-
 static uint64_t edge_key(uint16_t a, uint16_t b)
 {
     return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;

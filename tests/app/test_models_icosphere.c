@@ -11,16 +11,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static struct model sphere(uint32_t levels)
-{
-    struct model m = {.arena =
-                          arena_of(MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(levels), MODEL_ICOSPHERE_TRIANGLES(levels)))};
-    assert_int_equal(model_icosphere(&m.arena, &m.mesh, levels), PH_OK);
-    assert_int_equal(m.mesh.vertex_count, MODEL_ICOSPHERE_VERTICES(levels));
-    assert_int_equal(m.mesh.triangle_count, MODEL_ICOSPHERE_TRIANGLES(levels));
-    return m;
-}
-
 static int same_corners(const struct ph_mesh *mesh, uint32_t t, const int want[3])
 {
     int found = 0;

@@ -134,3 +134,27 @@ void assert_normals(const struct ph_mesh *mesh, uint32_t first, uint32_t end)
         assert_true(sum > 0);
     }
 }
+
+struct model torus(void)
+{
+    struct model m = {.arena = arena_of(MODEL_BYTES(512, 1024))};
+    assert_int_equal(model_torus(&m.arena, &m.mesh, 32, 16, 1 << 28, (int32_t)(.4 * (1 << 28) + .5)), PH_OK);
+    return m;
+}
+
+struct model sphere(uint32_t levels)
+{
+    struct model m = {.arena =
+                          arena_of(MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(levels), MODEL_ICOSPHERE_TRIANGLES(levels)))};
+    assert_int_equal(model_icosphere(&m.arena, &m.mesh, levels), PH_OK);
+    assert_int_equal(m.mesh.vertex_count, MODEL_ICOSPHERE_VERTICES(levels));
+    assert_int_equal(m.mesh.triangle_count, MODEL_ICOSPHERE_TRIANGLES(levels));
+    return m;
+}
+
+struct model ground(void)
+{
+    struct model m = {.arena = arena_of(MODEL_BYTES(441, 800))};
+    assert_int_equal(model_ground(&m.arena, &m.mesh, 20), PH_OK);
+    return m;
+}

@@ -15,6 +15,11 @@ struct model {
 struct demo_arena arena_of(size_t size);
 void release(struct model *m);
 
+/* Models of the benchmark; to be released. */
+struct model torus(void);
+struct model sphere(uint32_t levels);
+struct model ground(void);
+
 void position(const struct ph_mesh *mesh, uint32_t i, double p[3]);
 
 /* Largest difference of vertex i from p, in LSB of Q16.16; of its normal from n, in LSB of Q1.14. */
