@@ -333,5 +333,5 @@ int main(void)
         cmocka_unit_test(bounds_that_lie_are_refused),
         cmocka_unit_test(only_what_is_beyond_a_plane_is_culled),
     };
-    return cmocka_run_group_tests_name("bounds", tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, NULL, NULL);
 }
