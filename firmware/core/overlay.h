@@ -75,7 +75,8 @@ struct ph_sprite {
 };
 
 /* Lays a picture over the band, its top left corner at (x, y), clipped to the band. For one that stands in the scene,
- * and is hidden by what is before it, see ph_draw_billboard in render.h. */
+ * and is hidden by what is before it, see ph_draw_billboard in render.h. A pixel takes 3 instructions on a Cortex-M0+
+ * where the picture covers, 15 with a key, 60 with alpha (tests/bench/growth.sh; a row more). */
 void ph_overlay_sprite(const struct ph_overlay_band *band, int32_t x, int32_t y, const struct ph_sprite *sprite);
 
 #ifdef __cplusplus

@@ -15,6 +15,8 @@
  *   texture, in bands of 16 lines
  * - outside: the quads of draws, with bounds, off the picture: a quarter of them each beyond the left side, above,
  *   behind the camera and beyond the far plane
+ * - glass, letters: a picture of X pixels without alpha, 16 lines high, and a text of X letters with an outline, over a
+ *   band of 16 lines; the frame is the overlay alone
  * - band: the torus of 4096 triangles in bands of X lines
  * - pixels: the same torus in pictures of 128x64 .. 320x480 = X pixels
  */
@@ -22,6 +24,7 @@
 
 #include "demo_scene.h"
 #include "models.h"
+#include "overlay.h"
 #include "render.h"
 
 #define WIDTH      320
@@ -279,6 +282,26 @@ static void points(void)
     }
 }
 
+static void overlays(void)
+{
+    enum { WIDE = 320, LINES = 16 };
+    static const char text[] = "THE QUICK BROWN FOX JUMPS OVER 0123456789, AND AGAIN OVER 0.1234";
+    static const struct ph_overlay_style style = {.colour = 0xffff, .outline = 0, .scale = 1};
+    const struct ph_overlay_band band = {.pixels = pixels, .width = WIDE, .lines = LINES};
+    for (uint32_t width = WIDE / 8; width <= WIDE; width *= 2) {
+        const struct ph_sprite picture = {
+            .pixels = pixels + WIDE * LINES, .width = (uint16_t)width, .height = LINES, .alpha = 32};
+        machine_start();
+        ph_overlay_sprite(&band, 0, 0, &picture);
+        machine_stop((const char *const[3]){"glass", "-", "frame"}, width * LINES);
+    }
+    for (uint32_t count = 8; count < sizeof text; count *= 2) {
+        machine_start();
+        ph_overlay_text(&band, 0, 4, text + sizeof text - 1 - count, &style);
+        machine_stop((const char *const[3]){"letters", "-", "frame"}, count);
+    }
+}
+
 int main(void)
 {
     static const char *const loop[3] = {"known-loop", "-", "-"};
@@ -294,5 +317,6 @@ int main(void)
     quads(&plain);
     draws(&plain);
     points();
+    overlays();
     return 0;
 }

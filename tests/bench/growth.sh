@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Usage: tests/bench/growth.sh [CORE]        make bench calls it; m3 by default
-# How the cost of a frame grows with triangles, fragments, depth complexity, draws, materials, keyed draws, points, meshes that are off the picture, bands and pixels:
+# How the cost of a frame grows with triangles, fragments, depth complexity, draws, materials, keyed draws, points, pictures and text over the picture, meshes that are off the picture, bands and pixels:
 # $B/bench-growth.csv (kind,x,instructions), and $B/bench-growth.png where gnuplot is. Exits 1 when a term grows faster than linearly (a further triangle, draw or
 # fragment costs over 10 % more than those before it; a pixel of a larger picture more than one of a smaller), when 16 bands cost 5 % of a frame,
-# when a hidden layer costs over 5 % of a visible one, when a mesh that is off the picture costs 500 instructions (1,500 on a Cortex-M0+), or one of 500 points over its bar. Environment: B.
+# when a hidden layer costs over 5 % of a visible one, when a mesh that is off the picture costs 500 instructions (1,500 on a Cortex-M0+), or one of 500 points or a pixel of a picture over it more than its bar. Environment: B.
 set -eu
 cd "$(dirname "$0")/../.."
 B=${B:-build} core=${1:-m3}
@@ -14,8 +14,8 @@ PROGRAM=growth tests/bench/run.sh "$core" >"$B/bench-$core/growth"
 
 most=500
 [ "$core" != m0plus ] || most=1500
-case $core in m0plus) bar=300 ;; m3 | m4f | m33) bar=150 ;; *) bar=0 ;; esac # of a point
-awk -v most="$most" -v bar=$bar '
+case $core in m0plus) bar=300 glass=3 ;; m3 | m4f | m33) bar=150 glass=2 ;; *) bar=0 glass=0 ;; esac # of a point; of a pixel
+awk -v most="$most" -v bar=$bar -v glass=$glass '
     $3 == "bins" { bins[$1 " " $4] = $5; next }
     $3 != "frame" { next }
     { cost[$1 " " $4] = $5 }
@@ -43,6 +43,9 @@ awk -v most="$most" -v bar=$bar '
             printf "growth: one of 500 %s costs %.1f instructions\n", kinds[i], each
             wrong = wrong || (bar > 0 && i == 1 && each > bar)
         }
+        each = (cost["glass 5120"] - cost["glass 640"]) / 4480
+        printf "growth: a pixel of a picture over the picture costs %.2f instructions, a letter %.0f\n", each, cost["letters 64"] / 64
+        wrong = wrong || (bar > 0 && each > glass)
         exit wrong || share >= 5 || !(hidden < 5) || !(outside > 0 && outside < most)
     }' <(grep -v '^pixels\|^band' "$B/bench-$core/growth"; grep '^pixels' "$B/bench-$core/growth"; grep '^band' "$B/bench-$core/growth")
 

@@ -254,6 +254,30 @@ static void sprites_cover_what_their_key_and_alpha_leave(void **state)
     }
 }
 
+/* Pictures of every width to 3 turns of the loop that copies, over each edge; an alpha above 32 covers, too. */
+static void a_picture_that_covers_is_copied(void **state)
+{
+    (void)state;
+    static uint16_t picture[25 * 3], pixels[WIDTH * HEIGHT];
+    for (unsigned i = 0; i < 25 * 3; i++) {
+        picture[i] = (uint16_t)(i + 1);
+    }
+    for (int wide = 1; wide <= 25; wide++) {
+        const struct ph_sprite sprite = {.pixels = picture, .width = (uint16_t)wide, .height = 3, .alpha = 33};
+        for (int x0 = -26; x0 <= WIDTH; x0++) {
+            const int y0 = (x0 + 26) % (HEIGHT + 4) - 3;
+            const struct ph_overlay_band band = {pixels, WIDTH, 0, HEIGHT};
+            memset(pixels, 0, sizeof pixels);
+            ph_overlay_sprite(&band, x0, y0, &sprite);
+            for (int i = 0; i < WIDTH * HEIGHT; i++) {
+                const int x = i % WIDTH - x0, y = i / WIDTH - y0;
+                const bool inside = x >= 0 && x < wide && y >= 0 && y < 3;
+                assert_int_equal(pixels[i], inside ? y * wide + x + 1 : 0);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -267,6 +291,7 @@ int main(void)
         cmocka_unit_test(proportional_letters_are_as_wide_as_they_are_drawn),
         cmocka_unit_test(numbers_are_written_without_printf),
         cmocka_unit_test(sprites_cover_what_their_key_and_alpha_leave),
+        cmocka_unit_test(a_picture_that_covers_is_copied),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,6 +3,24 @@
 #include "overlay.h"
 #include "render.h"
 
+/* Copies n pixels; 8 a turn, because a turn costs as much as two of them. */
+static void copy(uint16_t *to, const uint16_t *from, uint32_t n)
+{
+    for (; n >= 8; n -= 8, to += 8, from += 8) {
+        to[0] = from[0];
+        to[1] = from[1];
+        to[2] = from[2];
+        to[3] = from[3];
+        to[4] = from[4];
+        to[5] = from[5];
+        to[6] = from[6];
+        to[7] = from[7];
+    }
+    for (; n > 0; n--) {
+        *to++ = *from++;
+    }
+}
+
 /* Lays n pixels of a row; from: their index in the sprite. */
 static void lay(uint16_t *to, const struct ph_sprite *sprite, uint32_t from, uint32_t n)
 {
@@ -30,9 +48,19 @@ void ph_overlay_sprite(const struct ph_overlay_band *band, int32_t x, int32_t y,
     }
     const int32_t left = x > 0 ? x : 0, right = smaller(x + sprite->width, band->width);
     const int32_t top = y > band->y0 ? y : band->y0, end = smaller(y + sprite->height, band->y0 + band->lines);
-    for (int32_t row = top; row < end && left < right; row++) {
-        const uint32_t from = (uint32_t)(row - y) * sprite->width + (uint32_t)(left - x);
-        lay(band->pixels + (row - band->y0) * band->width + left, sprite, from, (uint32_t)(right - left));
+    if (left >= right || top >= end) {
+        return;
+    }
+    const bool covers = sprite->alpha >= 32 && sprite->alphas == NULL && !sprite->has_key;
+    const uint32_t n = (uint32_t)(right - left);
+    uint32_t from = (uint32_t)(top - y) * sprite->width + (uint32_t)(left - x);
+    uint16_t *to = band->pixels + (top - band->y0) * band->width + left;
+    for (int32_t row = top; row < end; row++, from += sprite->width, to += band->width) {
+        if (covers) {
+            copy(to, sprite->pixels + from, n);
+        } else {
+            lay(to, sprite, from, n);
+        }
     }
 }
 
