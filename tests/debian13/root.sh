@@ -39,7 +39,7 @@ debian13_bootstrap() {
     mkdir "$new/sources" && debian_sources trixie "$new/sources"
     # shellcheck disable=SC2086 # the packages' names are words
     timeout 900 mmdebstrap --variant=apt --include="$(echo $debian13_packages | tr ' ' ,)" \
-        --aptopt='APT::Install-Recommends "false"' --aptopt='Acquire::http::Timeout "20"' --aptopt='Acquire::Retries "2"' \
+        --dpkgopt=force-unsafe-io --aptopt='APT::Install-Recommends "false"' --aptopt='Acquire::http::Timeout "20"' --aptopt='Acquire::Retries "2"' \
         trixie "$new/system" "$new"/sources/* >"$debian13_log" 2>&1 </dev/null &&
         echo "$debian13_packages" >"$new/system/etc/pinhole-packages" &&
         { [ ! -e "$debian13_root" ] || mv -T "$debian13_root" "$new/old"; } && mv -T "$new/system" "$debian13_root" || status=1

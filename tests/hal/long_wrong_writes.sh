@@ -23,7 +23,7 @@ rm -rf "$tree" && mkdir -p "$tree/build" && cp -a Makefile firmware hal boards h
 [ ! -e "$built/rp2040js" ] || cp -a "$built/rp2040js" "$tree/build/"
 cd "$tree" || exit 1
 unset B
-make -s -j2 build/pinhole-wire build/rp2350-emulate build/rp2040-registers >build/log 2>&1 || { cat build/log && exit 1; }
+make -s -j2 build/pinhole-sim build/pinhole-wire build/rp2350-emulate build/rp2040-registers >build/log 2>&1 || { cat build/log && exit 1; }
 
 NOT_BUILT=99
 runs() { # list, board and variables of make
@@ -34,7 +34,7 @@ runs() { # list, board and variables of make
         timeout 300 build/pinhole-sim --board "${words[0]}" --demo testcard --frames 1 --crc
     else
         make -s -j2 firmware BOARD="${words[0]}" "${words[@]:1}" || return "$NOT_BUILT"
-        EVENTS_ONLY=1 timeout 300 make -s emulate BOARD="${words[0]}" "${words[@]:1}" FRAMES=2
+        EVENTS_ONLY=1 timeout 900 make -s emulate BOARD="${words[0]}" "${words[@]:1}" FRAMES=2
     fi
 }
 

@@ -17,7 +17,7 @@ trap 'rm -rf "$dir"' EXIT
 
 root_is_made() { # suite
     mkdir "$dir/sources-$1" && debian_sources "$1" "$dir/sources-$1" &&
-        { mmdebstrap --variant=minbase --include=gcc,make,libc6-dev,git --aptopt='APT::Install-Recommends "false"' \
+        { mmdebstrap --variant=minbase --include=gcc,make,libc6-dev,git --dpkgopt=force-unsafe-io --aptopt='APT::Install-Recommends "false"' \
             "$1" "$dir/$1" "$dir/sources-$1"/* >"$dir/log" 2>&1 </dev/null || { tail -n 20 "$dir/log" && return 1; }; } &&
         debian_copy "$dir/$1"
 }
