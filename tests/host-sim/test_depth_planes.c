@@ -387,7 +387,7 @@ static void a_tilted_plane_stays_below_its_bound(void **state)
         const struct planes_sweep sweep = depth_planes_sweep(&canvas, format, (struct planes_lean){z, tilt, azimuth});
         if (isfinite(sweep.measured_m) && (sweep.measured_m > sweep.bound_m + 1e-9 ||
                                            sweep.bound_m > (fabs(tilt) < 76 ? 4 : 12) * sweep.measured_m)) {
-            fail_msg("%s near %g far %g z %g tilt %g: bound %g, measured %g", format, n, f, z, tilt, sweep.bound_m,
+            fail_msg("%s near %g far %g z %g tilt %g: bound %g, measured %g", format->name, n, f, z, tilt, sweep.bound_m,
                      sweep.measured_m);
         }
         depth_planes_close(&canvas);
