@@ -148,6 +148,7 @@ static void a_difference_is_counted_measured_and_placed(void **state)
     for (int largest = 0; largest < 3; largest++) {
         struct frame_check check = golden(0);
         pixel(2, 4)[0] += largest == 0 ? 50 : 1;
+        pixel(2, 4)[1] += 1; /* of a pixel's channels the largest counts, not their sum */
         pixel(6, 1)[1] -= largest == 1 ? 50 : 1;
         pixel(5, 3)[2] += largest == 2 ? 50 : 1;
         assert_int_equal(put(&check, 7), 0);
