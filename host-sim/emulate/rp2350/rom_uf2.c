@@ -77,6 +77,8 @@ const char *rom_uf2_refused(const uint8_t *file, uint32_t bytes, uint8_t *flash,
     static bool seen[BLOCKS_MOST];
     struct block first = {.count = 0};
     uint32_t taken = 0;
+    memset(seen, 0, sizeof seen);
+    uf2->bytes = 0;
     if (bytes < 2 * BLOCK || !is_against_e10(file)) {
         return "the UF2 file does not begin with the block against erratum RP2350-E10";
     }
