@@ -222,6 +222,26 @@ static void odd_greys_are_exact_too(void **state)
     }
 }
 
+/* RGB444 keeps the highest four bits of each colour, of five, six and five. */
+static void what_the_glass_does_not_show_is_not_sent(void **state)
+{
+    static const unsigned formats[] = {PANEL_RGB565, PANEL_RGB444};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        static struct rig rig;
+        rig_open(&rig, &panel_st7735s_80x160, PANEL_R0, formats[i], false);
+        memset(picture, 0, sizeof picture);
+        assert_int_equal(show(&rig, 160), 0);
+        for (int bit = 0; bit < 16; bit++) { /* of a pixel as it is on the wire: red, green, blue */
+            const bool dropped = bit == 11 || bit == 6 || bit == 5 || bit == 0;
+            ((uint8_t *)&picture[80 * bit + bit])[bit < 8] ^= (uint8_t)(1 << bit % 8);
+            assert_int_equal(show(&rig, 160), 0);
+            assert_int_equal(rig.diff.windows, formats[i] == PANEL_RGB565 || !dropped);
+        }
+        rig_close(&rig, "dropped bits");
+    }
+}
+
 static void no_buffer_is_touched_before_it_is_sent(void **state)
 {
     (void)state;
@@ -554,6 +574,7 @@ int main(void)
         cmocka_unit_test(the_picture_is_exact_where_writes_cost_time),
         cmocka_unit_test(any_number_of_lines_at_a_time_will_do),
         cmocka_unit_test(odd_greys_are_exact_too),
+        cmocka_unit_test(what_the_glass_does_not_show_is_not_sent),
         cmocka_unit_test(no_buffer_is_touched_before_it_is_sent),
         cmocka_unit_test(a_frame_in_which_all_changes_costs_at_most_one_percent_more),
         cmocka_unit_test(all_is_sent_again_every_so_many_frames),
