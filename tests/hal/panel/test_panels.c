@@ -1,4 +1,4 @@
-/* panels: each panel of the list has a name of its own, which says its controller and its size. */
+/* panels: each panel of PANELS_EACH is in the list, with a name of its own, which says its controller and its size. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,18 +10,20 @@
 #include <stdio.h>
 #include <string.h>
 
+/* A panel that is left out of PANELS_EACH is missed by the board that names it: each has one. */
 static void each_panel_is_listed_once(void **state)
 {
-    static const char *const names[] = {"st7789-240x240",  "st7789-135x240",  "st7789-240x320",  "st7789-170x320",
-                                        "st7789-240x280",  "gc9a01-240x240",  "ili9341-240x320", "ili9488-320x480",
-                                        "st7735s-128x128", "st7735s-128x160", "st7735s-80x160",  "ssd1351-128x128",
-                                        "ssd0323-128x64"};
+#define NAMED(name) #name,
+    static const char *const names[] = {PANELS_EACH(NAMED)};
     (void)state;
     assert_int_equal(panel_count, sizeof names / sizeof names[0]);
     for (uint32_t i = 0; i < panel_count; i++) {
         uint32_t found = 0;
+        char name[40];
+        snprintf(name, sizeof name, "%s", names[i]);
+        *strchr(name, '_') = '-';
         for (uint32_t k = 0; k < panel_count; k++) {
-            found += strcmp(panel_list[k]->name, names[i]) == 0;
+            found += strcmp(panel_list[k]->name, name) == 0;
         }
         assert_int_equal(found, 1);
     }
