@@ -19,7 +19,7 @@ struct drawn {
 };
 
 #define MESH_BYTES_32  52
-#define DRAWN_BYTES_32 96
+#define DRAWN_BYTES_32 104
 _Static_assert(sizeof(void *) > 4 || sizeof(struct ph_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
 _Static_assert(sizeof(void *) > 4 || sizeof(struct drawn) == DRAWN_BYTES_32, "DRAWN_BYTES_32 is wrong");
 
@@ -39,7 +39,7 @@ static bool is_texture_right(const struct scene_file_head *head, const struct sc
 {
     return t->log2_width <= SIDE_LOG2_MAX && t->log2_height <= SIDE_LOG2_MAX &&
            t->levels <= (t->log2_width > t->log2_height ? t->log2_width : t->log2_height) && t->wrap <= PH_WRAP_CLAMP &&
-           t->filter <= PH_FILTER_MIPMAP && (t->spare[0] | t->spare[1] | t->spare[2]) == 0 &&
+           t->filter < SCENE_FILE_FILTERS && (t->spare[0] | t->spare[1] | t->spare[2]) == 0 &&
            scene_file_inside(head, t->texels, texel_count(t), sizeof(uint16_t));
 }
 
@@ -150,6 +150,22 @@ static const char *head_wrong(const struct scene_file_head *head)
                : NULL;
 }
 
+/* The filter that a texture needs and this program does not have; or NULL. */
+static const char *lacks_filter(const struct scene_file_texture *t)
+{
+    const bool lacks = t->texels != 0 && !scene_file_filters[t->filter].is_there;
+    return lacks ? scene_file_filters[t->filter].lacks : NULL;
+}
+
+/* What a right mesh needs and this program does not have; or NULL. */
+static const char *lacks_of(const struct scene_file_mesh *m)
+{
+    const struct scene_file_shading *const shading = &scene_file_shadings[m->shading];
+    return !shading->is_there                  ? shading->lacks
+           : lacks_filter(&m->texture) != NULL ? lacks_filter(&m->texture)
+                                               : lacks_filter(&m->alphas);
+}
+
 const char *scene_file_wrong(const void *bytes, size_t room)
 {
     const struct scene_file_head *const head = bytes;
@@ -183,9 +199,9 @@ const char *scene_file_wrong(const void *bytes, size_t room)
         if (!is_surface_right(&scene_file_table(head)[i])) {
             return "is broken: the surface of a mesh is none that can be drawn";
         }
-        const struct scene_file_shading *const shading = &scene_file_shadings[scene_file_table(head)[i].shading];
-        if (!shading->is_there) {
-            return shading->lacks;
+        const char *const lacks = lacks_of(&scene_file_table(head)[i]);
+        if (lacks != NULL) {
+            return lacks;
         }
     }
     return !scene_motion_right(head)      ? "is broken: its animation is not inside it"
@@ -207,12 +223,15 @@ size_t scene_file_arena_bytes(const void *bytes, bool on_32)
 
 static struct ph_texture texture_of(const uint8_t *base, const struct scene_file_texture *from)
 {
+    if (from->texels == 0) { /* its other members may have any values */
+        return (struct ph_texture){.texels = NULL};
+    }
     return (struct ph_texture){.texels = (const void *)(base + from->texels),
                                .log2_width = from->log2_width,
                                .log2_height = from->log2_height,
                                .wrap = from->wrap,
-                               .filter = from->filter & 15U,
-                               .levels = from->levels & 15U};
+                               .filter = scene_file_filters[from->filter].filter,
+                               .levels = from->levels};
 }
 
 static const uint8_t blend_kinds[] = {

@@ -7,7 +7,7 @@
 
 #include "scene_motion.h"
 
-/* What a program draws scenes in, by the numbers of scene_format.h: it links these shadings, and no others.
+/* What a program draws scenes in, by the numbers of scene_format.h: it links these shadings and filters, and no others.
  * scene_file_wrong() returns `lacks` for a scene that needs one that is not there. */
 struct scene_file_shading {
     bool is_there;
@@ -15,7 +15,14 @@ struct scene_file_shading {
     const char *lacks;
 };
 
+struct scene_file_filter {
+    bool is_there;
+    const struct ph_filter *filter;
+    const char *lacks;
+};
+
 extern const struct scene_file_shading scene_file_shadings[SCENE_FILE_SHADINGS];
+extern const struct scene_file_filter scene_file_filters[SCENE_FILE_FILTERS];
 
 /* Returns NULL if `room` bytes from a 4-byte aligned place on begin with a scene that can be drawn, else what is wrong.
  * Every offset and index is checked. */

@@ -9,7 +9,7 @@
  * pixel vertices that no triangle names, data that meshes share, bytes that nothing names      no harm positions far
  * away         saturate, and are clipped normals                    of length 0: ambient light only; of another length
  * than 16384: darker or brighter uvs outside of 0 .. 1      as the texture's wrap says alpha 0 nothing of the mesh
- * shows PH_FILTER_MIPMAP without levels      has its one level a clip of 0 s              stands at its beginning; keys
+ * shows SCENE_FILE_MIPMAP without levels     has its one level a clip of 0 s              stands at its beginning; keys
  * behind the duration are never reached a track without keys       moves nothing; of two tracks for one property the
  * later one counts times that are equal       a jump keys of rotations          of any length; 0 is no rotation weights
  * of targets         of any size; -8 .. 8 counts places of the rig and of joints     may scale, mirror and shear; what
@@ -42,8 +42,11 @@ struct scene_file_head {
 
 struct scene_file_texture {
     uint32_t texels;                                                 /* offset; 0: there is no texture */
-    uint8_t log2_width, log2_height, wrap, filter, levels, spare[3]; /* spare: 0 */
+    uint8_t log2_width, log2_height, wrap, filter, levels, spare[3]; /* filter: a number; spare: 0 */
 };
+
+/* Numbers of filters. */
+enum scene_file_filter_number { SCENE_FILE_NEAREST, SCENE_FILE_BILINEAR, SCENE_FILE_MIPMAP, SCENE_FILE_FILTERS };
 
 enum scene_file_blend { SCENE_FILE_OPAQUE, SCENE_FILE_MASK, SCENE_FILE_ALPHA, SCENE_FILE_ADD };
 

@@ -57,12 +57,15 @@ extern const struct ph_shading ph_shade_flat, ph_shade_gouraud, ph_shade_texture
 
 enum ph_wrap { PH_WRAP_REPEAT, PH_WRAP_CLAMP };
 
-enum ph_filter {
-    PH_FILTER_NEAREST,  /* the texel in which the pixel's centre lies */
-    PH_FILTER_BILINEAR, /* between the four texels around it */
-    PH_FILTER_MIPMAP,   /* bilinear in the level whose texels are nearest to pixels in size: one level for a small
-                           triangle, and one for each tile of up to 64 x 16 pixels of a larger one */
-};
+/* A filter: these names are addresses, and a program links what filters by those that its textures name. */
+struct ph_filter;
+extern const struct ph_filter ph_filter_bilinear, ph_filter_mipmap;
+
+#define PH_FILTER_NEAREST  ((const struct ph_filter *)NULL) /* the texel in which the pixel's centre lies */
+#define PH_FILTER_BILINEAR (&ph_filter_bilinear)            /* between the four texels around it */
+/* Bilinear in the level whose texels are nearest to pixels in size: one level for a small triangle, and one for each
+ * tile of up to 64 x 16 pixels of a larger one. */
+#define PH_FILTER_MIPMAP (&ph_filter_mipmap)
 
 /* A texture whose sides are powers of two: RGB565 in wire order, rows from the top. v = 0 is at the top row. Each level
  * has half the width and half the height of the one before, at least 1, and lies behind it in memory. */
@@ -70,8 +73,8 @@ struct ph_texture {
     const uint16_t *texels;
     uint8_t log2_width, log2_height; /* 0 .. 10 */
     uint8_t wrap;                    /* enum ph_wrap */
-    uint8_t filter : 4;              /* enum ph_filter */
-    uint8_t levels : 4;              /* behind the texels, for PH_FILTER_MIPMAP */
+    uint8_t levels;                  /* behind the texels, for PH_FILTER_MIPMAP: 0 .. 10 */
+    const struct ph_filter *filter;  /* PH_FILTER_... */
 };
 
 #define PH_RAMP_SIZE 128 /* colours in a ramp; intensity 0 is at entry 4, full intensity at entry 123 */

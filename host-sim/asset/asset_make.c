@@ -326,7 +326,7 @@ static const struct ph_texture *shrink(struct demo_arena *arena, const struct ph
     to->log2_width = from->log2_width < log2_max ? from->log2_width : log2_max;
     to->log2_height = from->log2_height < log2_max ? from->log2_height : log2_max;
     const uint8_t longest = to->log2_width > to->log2_height ? to->log2_width : to->log2_height;
-    to->levels = from->filter == PH_FILTER_MIPMAP ? longest & 15 : 0;
+    to->levels = from->filter == PH_FILTER_MIPMAP ? longest : 0;
     uint16_t *texels = demo_alloc(arena, sizeof *texels * texel_count(to));
     if (texels == NULL) {
         return NULL;

@@ -23,6 +23,15 @@ static uint32_t append(struct writer *to, const void *from, size_t n)
     return at;
 }
 
+static uint8_t number_of_filter(const struct ph_filter *filter)
+{
+    uint8_t number = 0;
+    while (number < SCENE_FILE_FILTERS - 1 && scene_file_filters[number].filter != filter) {
+        number++;
+    }
+    return number;
+}
+
 /* Writes a texture. offset: where its texels are already, or 0. */
 static struct scene_file_texture write_texture(struct writer *to, const struct ph_texture *t, uint32_t offset)
 {
@@ -34,7 +43,7 @@ static struct scene_file_texture write_texture(struct writer *to, const struct p
                                        .log2_width = t->log2_width,
                                        .log2_height = t->log2_height,
                                        .wrap = t->wrap,
-                                       .filter = t->filter,
+                                       .filter = number_of_filter(t->filter),
                                        .levels = t->levels};
 }
 

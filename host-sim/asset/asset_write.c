@@ -105,15 +105,17 @@ static void put_colours(FILE *file, const char *name, uint32_t m, const uint16_t
 /* Writes a texture as a struct, which is called texture_m or alphas_m. */
 static void put_texture(FILE *file, const char *name, const struct ph_texture *t, uint32_t m)
 {
-    static const char *const filters[] = {"PH_FILTER_NEAREST", "PH_FILTER_BILINEAR", "PH_FILTER_MIPMAP"};
+    const char *const filter = t->filter == PH_FILTER_MIPMAP     ? "MIPMAP"
+                               : t->filter == PH_FILTER_BILINEAR ? "BILINEAR"
+                                                                 : "NEAREST";
     char texels[24];
     snprintf(texels, sizeof texels, "%s_texels", name);
     put_colours(file, texels, m, t->texels, model_texture_texels(t, t->levels));
     fprintf(file,
             "\nstatic const struct ph_texture %s_%u = {.texels = %s_%u, .log2_width = %u, .log2_height = %u,\n"
-            "    .wrap = %s, .filter = %s, .levels = %u};\n",
+            "    .wrap = %s, .filter = PH_FILTER_%s, .levels = %u};\n",
             name, (unsigned)m, texels, (unsigned)m, t->log2_width, t->log2_height,
-            t->wrap == PH_WRAP_CLAMP ? "PH_WRAP_CLAMP" : "PH_WRAP_REPEAT", filters[t->filter], t->levels);
+            t->wrap == PH_WRAP_CLAMP ? "PH_WRAP_CLAMP" : "PH_WRAP_REPEAT", filter, t->levels);
 }
 
 static void put_blend(FILE *file, const struct ph_blend *from, uint32_t m)

@@ -47,14 +47,14 @@ void model_surface_mask(struct model_surface *surface)
 }
 
 /* The filter that the options name, or that of the file. */
-static uint8_t filter_of(struct model_shared *shared, const struct model_surface *from)
+static const struct ph_filter *filter_of(struct model_shared *shared, const struct model_surface *from)
 {
     const char *const name = shared->options.filter;
     if (name == NULL && from->filter != PH_FILTER_NEAREST) {
         model_shared_note(shared, "filters of textures are ignored (--filter file takes them)");
     }
     return name == NULL                   ? PH_FILTER_NEAREST
-           : strcmp(name, "file") == 0    ? from->filter & 15
+           : strcmp(name, "file") == 0    ? from->filter
            : strcmp(name, "mipmap") == 0  ? PH_FILTER_MIPMAP
            : strcmp(name, "nearest") == 0 ? PH_FILTER_NEAREST
                                           : PH_FILTER_BILINEAR;
@@ -78,7 +78,7 @@ static const struct ph_texture *make_texture(struct model_shared *shared, const 
         model_shared_note(shared, "texture %s wraps both ways as along u", from->name);
     }
     texture->wrap = from->wrap[0];
-    texture->filter = filter_of(shared, from) & 15;
+    texture->filter = filter_of(shared, from);
     return texture;
 }
 
@@ -166,7 +166,7 @@ static bool make_blend(struct model_shared *shared, const struct model_surface *
             return false;
         }
         texture->wrap = from->wrap[0];
-        texture->filter = filter_of(shared, from) & 15;
+        texture->filter = filter_of(shared, from);
         blend->alphas = texture;
         blend->draw = ph_draw_blended_alphas;
     }

@@ -14,14 +14,14 @@ enum model_alpha {
 
 /* Colours are those of the display, 0 .. 255. */
 struct model_surface {
-    uint8_t colour[3];         /* without a texture */
-    uint8_t glow[3];           /* emissive */
-    char name[104];            /* of the texture, for notes */
-    struct picture_in picture; /* of the texture; its rgb is NULL without; model_surface_make frees both */
-    struct picture_in mask;    /* whose alpha counts, in place of the picture's; its alpha is NULL without */
+    uint8_t colour[3];              /* without a texture */
+    uint8_t glow[3];                /* emissive */
+    const struct ph_filter *filter; /* as the file says */
+    char name[104];                 /* of the texture, for notes */
+    struct picture_in picture;      /* of the texture; its rgb is NULL without; model_surface_make frees both */
+    struct picture_in mask;         /* whose alpha counts, in place of the picture's; its alpha is NULL without */
     struct picture_in glowing; /* emission in place of `glow`, at the coordinates of the texture; rgb is NULL without */
     uint8_t wrap[2];           /* enum ph_wrap along u and v */
-    uint8_t filter;            /* enum ph_filter, as the file says */
     bool two_sided, is_unlit;
     uint8_t mode;         /* enum model_alpha */
     double alpha, cutoff; /* alpha is multiplied by the picture's */

@@ -55,7 +55,7 @@ static struct scene_file_texture put_texture(void)
     return (struct scene_file_texture){.texels = put(texels, sizeof texels),
                                        .log2_width = 3,
                                        .log2_height = 2,
-                                       .filter = PH_FILTER_MIPMAP,
+                                       .filter = SCENE_FILE_MIPMAP,
                                        .levels = 2};
 }
 

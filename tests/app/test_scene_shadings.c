@@ -1,6 +1,7 @@
 /*
- * A program that lists fewer shadings than a binary scene may name: its own list takes the place of the one that is
- * linked otherwise. It draws the scenes that do with these, and refuses the others with the name of what it lacks.
+ * A program that lists fewer shadings and filters than a binary scene may name: its own lists take the places of those
+ * that are linked otherwise. It draws the scenes that do with these, and refuses the others with the name of what it
+ * lacks.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,9 +17,15 @@ const struct scene_file_shading scene_file_shadings[SCENE_FILE_SHADINGS] = {
     [SCENE_FILE_UNLIT] = {.is_there = true, .shading = PH_SHADE_UNLIT},
     [SCENE_FILE_FLAT] = {.lacks = "no flat"},
     [SCENE_FILE_GOURAUD] = {.is_there = true, .shading = PH_SHADE_GOURAUD},
-    [SCENE_FILE_TEXTURE] = {.lacks = "no texture"},
+    [SCENE_FILE_TEXTURE] = {.is_there = true, .shading = PH_SHADE_TEXTURE},
     [SCENE_FILE_TEXTURE_LIT] = {.lacks = "no texture-lit"},
     [SCENE_FILE_TEXTURE_GOURAUD] = {.lacks = "no texture-gouraud"},
+};
+
+const struct scene_file_filter scene_file_filters[SCENE_FILE_FILTERS] = {
+    [SCENE_FILE_NEAREST] = {.is_there = true, .filter = PH_FILTER_NEAREST},
+    [SCENE_FILE_BILINEAR] = {.is_there = true, .filter = PH_FILTER_BILINEAR},
+    [SCENE_FILE_MIPMAP] = {.lacks = "no mipmap"},
 };
 
 /* Two meshes of one triangle. */
@@ -33,6 +40,11 @@ static struct {
 } scene;
 
 #define OFFSET(member) ((uint32_t)((const uint8_t *)scene.member - (const uint8_t *)&scene))
+
+static void seal(void)
+{
+    scene.head.crc = crc32_update(0, (const uint8_t *)&scene + 16, sizeof scene - 16);
+}
 
 static void make(uint8_t first, uint8_t second)
 {
@@ -58,7 +70,7 @@ static void make(uint8_t first, uint8_t second)
                                                    .texture.texels = textured ? OFFSET(texels) : 0,
                                                    .shading = shading};
     }
-    scene.head.crc = crc32_update(0, (const uint8_t *)&scene + 16, sizeof scene - 16);
+    seal();
 }
 
 static void scenes_in_the_listed_shadings_are_taken(void **state)
@@ -89,11 +101,37 @@ static void a_scene_that_needs_another_shading_is_refused_with_its_name(void **s
     }
 }
 
+static void a_scene_that_needs_another_filter_is_refused_with_its_name(void **state)
+{
+    (void)state;
+    struct demo_arena arena;
+    uint64_t room[128];
+    make(SCENE_FILE_UNLIT, SCENE_FILE_TEXTURE);
+    scene.meshes[1].texture.filter = SCENE_FILE_BILINEAR;
+    scene.meshes[0].texture.filter = SCENE_FILE_MIPMAP; /* without texels it does not count */
+    seal();
+    assert_null(scene_file_wrong(&scene, sizeof scene));
+    arena = (struct demo_arena){(uint8_t *)room, sizeof room, 0};
+    const struct ph_mesh *const meshes = scene_file_meshes(&scene, &arena);
+    assert_non_null(meshes);
+    assert_ptr_equal(meshes[1].materials->texture->filter, PH_FILTER_BILINEAR);
+    scene.meshes[1].texture.filter = SCENE_FILE_MIPMAP;
+    seal();
+    assert_string_equal(scene_file_wrong(&scene, sizeof scene), "no mipmap");
+    make(SCENE_FILE_UNLIT, SCENE_FILE_UNLIT);
+    scene.meshes[1].uvs = OFFSET(uvs);
+    scene.meshes[1].blend = SCENE_FILE_MASK;
+    scene.meshes[1].alphas = (struct scene_file_texture){.texels = OFFSET(texels), .filter = SCENE_FILE_MIPMAP};
+    seal();
+    assert_string_equal(scene_file_wrong(&scene, sizeof scene), "no mipmap");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scenes_in_the_listed_shadings_are_taken),
         cmocka_unit_test(a_scene_that_needs_another_shading_is_refused_with_its_name),
+        cmocka_unit_test(a_scene_that_needs_another_filter_is_refused_with_its_name),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

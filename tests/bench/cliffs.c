@@ -240,7 +240,8 @@ static void textures(void)
 }
 
 /* A square, or a field of small triangles, with a texture of 2^log2 texels in width and height. */
-static void measure_size(const char *name, const char *variant, uint8_t filter, bool small, uint8_t log2)
+static void measure_size(const char *name, const char *variant, const struct ph_filter *filter, bool small,
+                         uint8_t log2)
 {
     const struct view view = usual();
     if (small) {
@@ -258,7 +259,8 @@ static void texture_sizes(void)
 {
     static const struct {
         const char *name;
-        uint8_t filter, log2;
+        const struct ph_filter *filter;
+        uint8_t log2;
         bool small;
     } pair[] = {
         {"texture-512", PH_FILTER_NEAREST, 9, false},        {"texture-1024", PH_FILTER_NEAREST, 10, false},

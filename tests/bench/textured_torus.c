@@ -71,7 +71,7 @@ static void build_maps(uint16_t *texels, const uint16_t *base)
 }
 
 /* The demos' states begin with their mesh. That of the torus becomes the textured one. */
-static int init_with(struct demo_context *context, const struct ph_shading *shading, uint8_t filter)
+static int init_with(struct demo_context *context, const struct ph_shading *shading, const struct ph_filter *filter)
 {
     struct textured *const t = demo_alloc(&context->arena, sizeof *t);
     if (t == NULL || demo_find("cube")->init(context) != PH_OK) {
@@ -81,7 +81,7 @@ static int init_with(struct demo_context *context, const struct ph_shading *shad
     t->texture.wrap = PH_WRAP_REPEAT;
     build_maps(t->texels, t->texture.texels);
     t->texture.texels = t->texels;
-    t->texture.filter = filter & 15;
+    t->texture.filter = filter;
     t->texture.levels = SIDE_LOG2;
     t->part = (struct ph_part){.count = TRIANGLES};
     if (demo_find("torus")->init(context) != PH_OK) {

@@ -326,11 +326,12 @@ static uint32_t texels_of(const struct ph_texture *t)
 /* A random texture. It ends where the memory ends, so that a read behind it is reported. */
 static struct ph_texture any_texture(void)
 {
+    static const struct ph_filter *const filters[3] = {PH_FILTER_NEAREST, PH_FILTER_BILINEAR, PH_FILTER_MIPMAP};
     uint32_t log2_max = below(16) ? LOG2_MAX : LOG2_MOST;
     struct ph_texture t = {.log2_width = (uint8_t)below(log2_max + 1),
                            .log2_height = (uint8_t)below(log2_max + 1),
                            .wrap = (uint8_t)below(2),
-                           .filter = below(3) & 15,
+                           .filter = filters[below(3)],
                            .levels = below(LOG2_MOST + 1) & 15};
     t.texels = texels + TEXELS_MOST - texels_of(&t);
     return t;

@@ -65,7 +65,7 @@ lines half a pixel off                   | render/line.c    | s/across \* 256 - 
 clamped textures repeat                  | render/texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
 light of texels is that of a corner      | render/texels.c  | s/small->glight = .*/small->glight = 0;/    | test_texture_light
 a filter without its lower line          | kernels/texel_mix.h | s/ + down \* fv//                                  | test_texture_light
-a map two levels too small               | render/texel_map.h | s/17 - fx_clz32/19 - fx_clz32/                      | test_texture_light
+a map two levels too small               | render/mipmap.c    | s/17 - fx_clz32/19 - fx_clz32/                      | test_texture_light
 texture slope left out                   | render/tile_surface.c | s/way->step = .*/way->step = 0;/                      | test_texture
 ambient light lost                       | render/light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
 attenuation lost                         | render/light_point.c | s/(int32_t)(reciprocal >> (32 - shift))/16384/       | test_light

@@ -45,7 +45,8 @@ struct lens {
 struct surface {
     const char *name;
     const struct ph_shading *shading;
-    uint8_t filter, wrap;
+    const struct ph_filter *filter;
+    uint8_t wrap;
     int8_t blend;                  /* enum ph_blend_kind; NONE: opaque */
     bool fog, coloured, is_tinted; /* coloured: the mesh has colours; is_tinted: the light has one */
 };
@@ -53,27 +54,27 @@ struct surface {
 enum { OFTEN = 6, OPAQUE = 17, SURFACES = 20, NONE = -1 };
 
 static const struct surface surfaces[SURFACES] = {
-    {"unlit", PH_SHADE_UNLIT, 0, 0, NONE, false, false, false},
-    {"flat", PH_SHADE_FLAT, 0, 0, NONE, false, false, false},
-    {"Gouraud", PH_SHADE_GOURAUD, 0, 0, NONE, false, false, false},
-    {"texture", PH_SHADE_TEXTURE, 0, 0, NONE, false, false, false},
-    {"texture lit", PH_SHADE_TEXTURE_LIT, 0, 0, NONE, false, false, false},
-    {"clamped", PH_SHADE_TEXTURE, 0, PH_WRAP_CLAMP, NONE, false, false, false},
-    {"texture Gouraud", PH_SHADE_TEXTURE_GOURAUD, 0, 0, NONE, false, false, false},
+    {"unlit", PH_SHADE_UNLIT, NULL, 0, NONE, false, false, false},
+    {"flat", PH_SHADE_FLAT, NULL, 0, NONE, false, false, false},
+    {"Gouraud", PH_SHADE_GOURAUD, NULL, 0, NONE, false, false, false},
+    {"texture", PH_SHADE_TEXTURE, NULL, 0, NONE, false, false, false},
+    {"texture lit", PH_SHADE_TEXTURE_LIT, NULL, 0, NONE, false, false, false},
+    {"clamped", PH_SHADE_TEXTURE, NULL, PH_WRAP_CLAMP, NONE, false, false, false},
+    {"texture Gouraud", PH_SHADE_TEXTURE_GOURAUD, NULL, 0, NONE, false, false, false},
     {"bilinear", PH_SHADE_TEXTURE, PH_FILTER_BILINEAR, 0, NONE, false, false, false},
     {"mipmap Gouraud", PH_SHADE_TEXTURE_GOURAUD, PH_FILTER_MIPMAP, 0, NONE, false, false, false},
     {"clamped, bilinear Gouraud", PH_SHADE_TEXTURE_GOURAUD, PH_FILTER_BILINEAR, PH_WRAP_CLAMP, NONE, false, false,
      false},
-    {"colours", PH_SHADE_UNLIT, 0, 0, NONE, false, true, false},
-    {"colours, Gouraud", PH_SHADE_GOURAUD, 0, 0, NONE, false, true, false},
-    {"coloured light", PH_SHADE_GOURAUD, 0, 0, NONE, false, false, true},
-    {"cut-out, key", PH_SHADE_TEXTURE_GOURAUD, 0, 0, PH_BLEND_KEY, false, false, false},
+    {"colours", PH_SHADE_UNLIT, NULL, 0, NONE, false, true, false},
+    {"colours, Gouraud", PH_SHADE_GOURAUD, NULL, 0, NONE, false, true, false},
+    {"coloured light", PH_SHADE_GOURAUD, NULL, 0, NONE, false, false, true},
+    {"cut-out, key", PH_SHADE_TEXTURE_GOURAUD, NULL, 0, PH_BLEND_KEY, false, false, false},
     {"cut-out, mask", PH_SHADE_TEXTURE, PH_FILTER_BILINEAR, 0, PH_BLEND_MASK, false, false, false},
-    {"cut-out, clamped mask", PH_SHADE_UNLIT, 0, PH_WRAP_CLAMP, PH_BLEND_MASK, false, false, false},
-    {"fog", PH_SHADE_GOURAUD, 0, 0, NONE, true, false, false},
-    {"alpha", PH_SHADE_UNLIT, 0, 0, PH_BLEND_ALPHA, false, false, false}, /* from here on they write no depth */
+    {"cut-out, clamped mask", PH_SHADE_UNLIT, NULL, PH_WRAP_CLAMP, PH_BLEND_MASK, false, false, false},
+    {"fog", PH_SHADE_GOURAUD, NULL, 0, NONE, true, false, false},
+    {"alpha", PH_SHADE_UNLIT, NULL, 0, PH_BLEND_ALPHA, false, false, false}, /* from here on they write no depth */
     {"alpha, texture", PH_SHADE_TEXTURE_GOURAUD, PH_FILTER_BILINEAR, 0, PH_BLEND_ALPHA, true, false, false},
-    {"added", PH_SHADE_GOURAUD, 0, 0, PH_BLEND_ADD, false, true, false},
+    {"added", PH_SHADE_GOURAUD, NULL, 0, PH_BLEND_ADD, false, true, false},
 };
 
 static void begin_with(struct rig *rig, const struct ph_projection *projection, const struct surface *surface)
@@ -105,7 +106,8 @@ static struct ph_material material_of(const struct surface *surface, const uint1
     static struct ph_texture textures[2][3];
     static const struct ph_texture alphas[2] = {{.texels = opaque}, {.texels = opaque, .wrap = PH_WRAP_CLAMP}};
     static struct ph_blend blends[PH_BLEND_ADD + 1];
-    struct ph_texture *const texture = &textures[surface->wrap][surface->filter];
+    const int filter = surface->filter == PH_FILTER_MIPMAP ? 2 : surface->filter == PH_FILTER_BILINEAR;
+    struct ph_texture *const texture = &textures[surface->wrap][filter];
     *texture = (struct ph_texture){.texels = texels,
                                    .log2_width = 1,
                                    .log2_height = 1,

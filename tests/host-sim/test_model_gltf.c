@@ -88,7 +88,7 @@ static void a_sampler_names_the_filter(void **state)
 {
     static const struct {
         const char *sampler;
-        uint8_t filter;
+        const struct ph_filter *filter;
     } cases[] = {{"", PH_FILTER_NEAREST},
                  {"\"magFilter\":9728,\"minFilter\":9984", PH_FILTER_NEAREST},
                  {"\"magFilter\":9729,\"minFilter\":9729", PH_FILTER_BILINEAR},
@@ -101,15 +101,15 @@ static void a_sampler_names_the_filter(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct model *model =
             with_material("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}", "two.png", cases[i].sampler);
-        assert_int_equal(model->meshes->materials->texture->filter, PH_FILTER_NEAREST);
+        assert_ptr_equal(model->meshes->materials->texture->filter, PH_FILTER_NEAREST);
         assert_int_equal(model->note != NULL, cases[i].filter != PH_FILTER_NEAREST);
         model_close(model);
         assert_int_equal(model_open(&model, file_path("feature.gltf"), &as_the_file), 0);
-        assert_int_equal(model->meshes->materials->texture->filter, cases[i].filter);
+        assert_ptr_equal(model->meshes->materials->texture->filter, cases[i].filter);
         assert_null(model->note);
         model_close(model);
         assert_int_equal(model_open(&model, file_path("feature.gltf"), &bilinear), 0);
-        assert_int_equal(model->meshes->materials->texture->filter, PH_FILTER_BILINEAR);
+        assert_ptr_equal(model->meshes->materials->texture->filter, PH_FILTER_BILINEAR);
         model_close(model);
     }
 }

@@ -48,29 +48,13 @@ struct ph_texel_row {
     uint32_t light, light_step; /* of the next four, in 2^-24, and from four to four */
 };
 
-enum { PH_TEXEL_ROW_LIT = 1, PH_TEXEL_ROW_SMOOTH = 2 };
+typedef void ph_texel_row_kernel(const struct ph_texel_row *r);
 
 /* Draw a row of nearest texels: as they are, or (lit) times light. */
-void ph_texel_row_nearest(const struct ph_texel_row *r);
-void ph_texel_row_lit(const struct ph_texel_row *r);
+ph_texel_row_kernel ph_texel_row_nearest, ph_texel_row_lit;
 
 /* Draw a row of bilinear texels: as they are, or (lit) times light. u and v are those of a texel's first corner, and
  * both are in 2^-22 of a texel. */
-void ph_texel_row_smooth(const struct ph_texel_row *r);
-void ph_texel_row_smooth_lit(const struct ph_texel_row *r);
-
-/* Draws a row by the kernel of its kind: 0, PH_TEXEL_ROW_LIT, PH_TEXEL_ROW_SMOOTH, or both flags. */
-static inline void ph_texel_row_draw(const struct ph_texel_row *r, uint32_t kind)
-{
-    if (kind == (PH_TEXEL_ROW_SMOOTH | PH_TEXEL_ROW_LIT)) {
-        ph_texel_row_smooth_lit(r);
-    } else if (kind == PH_TEXEL_ROW_SMOOTH) {
-        ph_texel_row_smooth(r);
-    } else if (kind == PH_TEXEL_ROW_LIT) {
-        ph_texel_row_lit(r);
-    } else {
-        ph_texel_row_nearest(r);
-    }
-}
+ph_texel_row_kernel ph_texel_row_smooth, ph_texel_row_smooth_lit;
 
 #endif

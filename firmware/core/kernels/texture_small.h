@@ -24,7 +24,7 @@ struct ph_texel_run {
     uint32_t x;                                             /* column 0 in the picture, for the caller's use */
     struct ph_texel_line u, v;                              /* units as in ph_tile_rows */
     uint32_t lower_rows, lower_is_right, lower_x, lower_dx; /* 0 rows or more; 0, 1; as left and left_dx */
-    uint32_t kind; /* of ph_texel_run_rows, how a row is drawn: PH_TEXEL_ROW_LIT, PH_TEXEL_ROW_SMOOTH */
+    ph_texel_row_kernel *draw_row;                          /* of ph_texel_run_rows: draws a row */
 };
 
 /* Draws the rows and returns the number of their pixels. No row has more than PH_SMALL_COLUMNS. Afterwards u and v

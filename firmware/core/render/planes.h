@@ -25,8 +25,7 @@ static inline struct ph_texel_light ph_texture_light(const struct ph_material *m
     const unsigned corners = material->shading->corners;
     const unsigned light =
         corners == PH_FIRST_CORNER ? ((uint32_t)(first->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1) : 32;
-    return (struct ph_texel_light){(uint8_t)light, corners == PH_EACH_CORNER,
-                                   material->texture->filter != PH_FILTER_NEAREST};
+    return (struct ph_texel_light){(uint8_t)light, corners == PH_EACH_CORNER};
 }
 
 /* The light of a texel at a vertex, in 2^-8 of a 32nd: 32 32nds give its colour, 64 white. */

@@ -77,7 +77,6 @@ static inline void begin_light(struct ph_texel_run *r, const struct ph_triangle 
 /* Moves u and v of a bilinear texel to its first corner. */
 static FX_APART void begin_smooth(struct ph_texel_run *r, const struct ph_texture *texture)
 {
-    r->kind |= PH_TEXEL_ROW_SMOOTH;
     r->u.at -= (uint32_t)1 << 21;
     r->v.at -= (uint32_t)1 << (15 + ph_texel_row_up(texture));
 }
@@ -91,7 +90,7 @@ void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *
     const struct ph_small_map *const at = &t->as.small.of.map;
     struct ph_texture map;
     if (at->level != 0) {
-        map = ph_texel_map(texture, at->level);
+        map = ph_levels_of(texture)->map_of(texture, at->level);
         texture = &map;
     }
     begin_run(&s->run, t, below_of(t, y), texture);
@@ -106,26 +105,26 @@ void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *
         begin_clamped(s, t, texture);
         return;
     }
-    s->run.kind = ph_is_lit(&at->light) ? PH_TEXEL_ROW_LIT : 0;
-    if (at->light.smooth) {
+    s->kind.lit = ph_is_lit(&at->light);
+    s->kind.filter = texture->filter;
+    s->run.draw_row = ph_row_kernel(s->kind.filter, s->kind.lit);
+    if (s->kind.filter != NULL) {
         begin_smooth(&s->run, texture);
     }
 }
 
 /* Draws a row whose light is not 0 .. 32 everywhere. */
-static FX_APART void draw_beyond_light(struct ph_texel_run *run, struct ph_texel_row *row)
+static FX_APART void draw_beyond_light(const struct ph_small_texels *s, struct ph_texel_row *row)
 {
-    struct ph_tile_kind kind;
-    kind.lit = (run->kind & PH_TEXEL_ROW_LIT) != 0;
-    kind.smooth = (run->kind & PH_TEXEL_ROW_SMOOTH) != 0;
-    ph_draw_texel_row(&kind, row, row->light, run->row.glight);
-    row->light_step = 4 * run->row.glight;
+    ph_draw_texel_row(&s->kind, row, row->light, s->run.row.glight);
+    row->light_step = 4 * s->run.row.glight;
     row->level = 0;
 }
 
 /* Draws the rows of a run with light or a filter. Members that ph_texel_run_rows sets stay as they are. */
-static inline __attribute__((always_inline)) uint32_t draw_lit_or_smooth(struct ph_texel_run *run)
+static inline __attribute__((always_inline)) uint32_t draw_lit_or_smooth(struct ph_small_texels *s)
 {
+    struct ph_texel_run *const run = &s->run;
     struct ph_texel_row row;
     uint32_t count = 0;
     row.gd = run->row.gd;
@@ -140,7 +139,7 @@ static inline __attribute__((always_inline)) uint32_t draw_lit_or_smooth(struct 
         while (run->row.rows > 0) {
             count += ph_texel_run_rows(run, &row);
             if (row.level == UINT32_MAX) {
-                draw_beyond_light(run, &row);
+                draw_beyond_light(s, &row);
             }
         }
     } while (ph_texel_run_lower(run));
@@ -183,7 +182,7 @@ static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
 
 PH_TIER(figure) static PH_NOINLINE uint32_t draw_general(struct ph_small_texels *s)
 {
-    return s->kind.clamp ? draw_clamped(s) : draw_lit_or_smooth(&s->run);
+    return s->kind.clamp ? draw_clamped(s) : draw_lit_or_smooth(s);
 }
 
 PH_TIER(scenery) static uint32_t draw_run_of(struct ph_small_texels *s)

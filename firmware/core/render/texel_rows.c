@@ -9,37 +9,6 @@
 #include "span.h"
 #include "texel_mix.h"
 
-PH_TIER(scenery) static int32_t clamp_texel(int32_t texel, uint32_t mask)
-{
-    return texel < 0 ? 0 : (uint32_t)texel > mask ? (int32_t)mask : texel;
-}
-
-/* The texel in that column and line; they are clamped or repeated. */
-static inline uint16_t texel_at(const struct ph_tile_kind *k, int32_t column, int32_t line)
-{
-    if (k->clamp) {
-        column = clamp_texel(column, k->u_mask);
-        line = clamp_texel(line, k->v_mask);
-    }
-    return k->texels[((uint32_t)line & k->v_mask) << k->log2_width | ((uint32_t)column & k->u_mask)];
-}
-
-/* The fraction of a texel coordinate, in 32nds of a texel. */
-static inline int32_t in_32nds(uint32_t v, int down)
-{
-    return down >= 5 ? (int32_t)v >> (down - 5) : (int32_t)(v << (5 - down));
-}
-
-/* The bilinear texel at u, v. */
-static FX_APART uint16_t sample_smooth(const struct ph_tile_kind *k, uint32_t u, uint32_t v)
-{
-    const int32_t across = in_32nds(u, k->u_down) - 16, down = in_32nds(v, k->v_down) - 16;
-    const int32_t column = across >> 5, line = down >> 5;
-    const uint16_t four[4] = {texel_at(k, column, line), texel_at(k, column + 1, line), texel_at(k, column, line + 1),
-                              texel_at(k, column + 1, line + 1)};
-    return ph_mix_folded(ph_mix_four(four, (uint32_t)across & 31, (uint32_t)down & 31));
-}
-
 /* A texel in light of 0 .. 64 32nds. */
 PH_TIER(scenery) static FX_APART uint16_t shade(uint16_t texel, uint32_t light)
 {
@@ -57,8 +26,8 @@ static inline uint32_t light_of(uint32_t light)
 /* The texel at u, v in its light, or filtered. */
 static PH_NOINLINE uint16_t sample_lit_or_smooth(const struct ph_tile_kind *k, uint32_t u, uint32_t v, uint32_t light)
 {
-    const uint16_t texel =
-        k->smooth ? sample_smooth(k, u, v) : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
+    const uint16_t texel = k->filter != NULL ? k->filter->texel(k, u, v)
+                                             : ph_texel_in(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
     return k->lit ? shade(texel, light_of(light)) : texel;
 }
 
@@ -70,7 +39,7 @@ static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph
     const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
     uint32_t u = ph_texel_at(&r->u, i), du = r->u.step + i * ddu + r->u.bend;
     uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend;
-    const bool lit_or_smooth = k->lit || k->smooth, depth24 = k->depth24;
+    const bool lit_or_smooth = k->lit || k->filter != NULL, depth24 = k->depth24;
     const bool linear = k->triangle->block == PH_BLOCK_LINEAR;
     const struct ph_depth *const plane = &k->triangle->as.large.depth;
     uint16_t *pixel = r->row.pixels + i;
@@ -81,7 +50,7 @@ static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph
             *pixel =
                 lit_or_smooth
                     ? sample_lit_or_smooth(k, u, v, r->row.light + (uint32_t)(pixel - r->row.pixels) * r->row.glight)
-                    : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
+                    : ph_texel_in(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
         }
         depth = ph_depth_from(depth, 1, depth24);
         pixel++;
@@ -183,14 +152,14 @@ static inline uint32_t set_row_light(struct ph_texel_row *row, uint32_t light, u
 }
 
 /* Draws a row in which light is beyond 32 32nds: a highlight. */
-static FX_APART void draw_shining_row(const struct ph_texel_row *row, bool smooth)
+static FX_APART void draw_shining_row(const struct ph_texel_row *row, const struct ph_filter *filter)
 {
     struct ph_texel_walk u = row->u, v = row->v;
     uint32_t d = row->d, level = row->level, light = row->light;
     for (uint32_t i = 0, n = row->n; n > 0; i++, n--, d += row->gd) {
         if (ph_nearer16(&row->depth[i], d)) {
-            const uint16_t texel = smooth ? ph_mix_folded(ph_mix_at(row, u.at, v.at))
-                                          : ph_texel_nearest(row, u.at, v.at, ph_texel_v_down(row->v_mask));
+            const uint16_t texel = filter != NULL ? filter->texel_of_row(row, u.at, v.at)
+                                                  : ph_texel_nearest(row, u.at, v.at, ph_texel_v_down(row->v_mask));
             row->pixels[i] = shade(texel, level);
         }
         ph_texel_walk_on(&u, n);
@@ -240,17 +209,17 @@ PH_TIER(seldom) static uint32_t clamp_way(struct ph_texel_way *way, const struct
 void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, uint32_t light, uint32_t glight)
 {
     if (k->lit && set_row_light(row, light, glight) > 32) {
-        draw_shining_row(row, k->smooth);
+        draw_shining_row(row, k->filter);
     } else {
-        ph_texel_row_draw(row, (k->lit ? PH_TEXEL_ROW_LIT : 0u) | (k->smooth ? PH_TEXEL_ROW_SMOOTH : 0u));
+        ph_row_kernel(k->filter, k->lit)(row);
     }
 }
 
 /* Draws the next row, which is lit or filtered, or leaves a clamped texture. */
 PH_TIER(scenery) static void draw_general_row(const struct ph_tile_kind *k, struct ph_tile_rows *r)
 {
-    const struct border u_border = {r->u_outside, k->smooth ? (uint32_t)1 << k->u_down : 0};
-    const struct border v_border = {r->v_outside, k->smooth ? (uint32_t)1 << k->v_down : 0};
+    const struct border u_border = {r->u_outside, k->filter != NULL ? (uint32_t)1 << k->u_down : 0};
+    const struct border v_border = {r->v_outside, k->filter != NULL ? (uint32_t)1 << k->v_down : 0};
     struct general_row row;
     uint32_t i, left, n;
     if (!ph_tile_columns(r->row.left, r->row.right, r->columns, &i, &left)) {
@@ -265,7 +234,7 @@ PH_TIER(scenery) static void draw_general_row(const struct ph_tile_kind *k, stru
         n = left;
         set_row_way(&row.u, &r->u, i);
         set_row_way(&row.v, &r->v, i);
-        if (k->smooth) {
+        if (k->filter != NULL) {
             row.u.at -= u_border.before >> 1;
             row.v.at -= v_border.before >> 1;
         }
@@ -287,7 +256,7 @@ PH_TIER(scenery) static void draw_general_row(const struct ph_tile_kind *k, stru
 PH_TIER(scenery) void ph_draw_fast_rows(const struct ph_tile_kind *k, struct ph_tile_rows *r)
 {
     while (r->row.rows > 0) {
-        if (!k->lit && !k->smooth) {
+        if (!k->lit && k->filter == NULL) {
             ph_texture_tile(r);
         }
         if (r->row.rows > 0) {

@@ -2,6 +2,7 @@
 #ifndef PH_TEXEL_ROWS_H
 #define PH_TEXEL_ROWS_H
 
+#include "texel_filter.h"
 #include "texel_map.h"
 #include "texel_row.h"
 #include "texture_tile.h"
@@ -14,17 +15,23 @@ struct ph_tile_kind {
     uint32_t u_mask, v_mask, log2_width;
     int u_down, v_down; /* from u, v to whole texels */
     bool lit;           /* light is not full everywhere */
-    bool smooth;        /* bilinear */
     bool clamp;
-    bool depth24;      /* as in struct ph_band */
-    bool fast;         /* ph_texture_tile can draw them */
-    int32_t from, end; /* columns of the picture, as the tile's columns count */
+    bool depth24;                   /* as in struct ph_band */
+    bool fast;                      /* ph_texture_tile can draw them */
+    int32_t from, end;              /* columns of the picture, as the tile's columns count */
+    const struct ph_filter *filter; /* NULL: nearest texels */
 };
 
 /* Whether light changes texels. */
 static inline bool ph_is_lit(const struct ph_texel_light *light)
 {
     return light->shaded || light->light != 32;
+}
+
+/* A column or a line of texels, brought into 0 .. mask. */
+static inline int32_t ph_texel_clamped(int32_t texel, uint32_t mask)
+{
+    return texel < 0 ? 0 : (uint32_t)texel > mask ? (int32_t)mask : texel;
 }
 
 /* Sets how texels of that map are drawn; k->triangle, k->clamp and k->fast are set already. k->u_down and k->v_down
@@ -38,17 +45,27 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_tile_rows
     k->v_mask = (1u << height) - 1;
     k->log2_width = map->log2_width;
     k->lit = ph_is_lit(light);
-    k->smooth = light->smooth;
+    k->filter = map->filter;
     r->row.v_mask = k->v_mask << width;
     r->u_outside = r->v_outside = 0;
     if (k->fast) {
         k->u_down = 22;
-        k->v_down = k->smooth ? 22 : (int)ph_texel_v_down(r->row.v_mask) + width;
+        k->v_down = k->filter != NULL ? 22 : (int)ph_texel_v_down(r->row.v_mask) + width;
         if (k->clamp) {
             r->u_outside = UINT32_MAX << width << k->u_down;
             r->v_outside = UINT32_MAX << height << k->v_down;
         }
     }
+}
+
+/* The texel in that column and line; they are clamped or repeated. */
+static inline uint16_t ph_texel_in(const struct ph_tile_kind *k, int32_t column, int32_t line)
+{
+    if (k->clamp) {
+        column = ph_texel_clamped(column, k->u_mask);
+        line = ph_texel_clamped(line, k->v_mask);
+    }
+    return k->texels[((uint32_t)line & k->v_mask) << k->log2_width | ((uint32_t)column & k->u_mask)];
 }
 
 /* Draws a row, of which all but light is set; light at its first pixel. */

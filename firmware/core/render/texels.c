@@ -15,6 +15,7 @@
 
 #include "planes.h"
 #include "slopes.h"
+#include "texel_filter.h"
 #include "texel_map.h"
 
 /* What u and v share. */
@@ -177,32 +178,14 @@ static void set_shades(struct ph_triangle *t, const struct frame *f, const struc
                    (uint32_t)map->x * small->glight - (uint32_t)map->y * small->light_dy;
 }
 
-/* u or v and its curve, 2^-down times. */
-PH_TIER(mesh) static void shrink(struct ph_plane *way, struct ph_curve *curve, int down)
-{
-    way->base >>= down;
-    way->gx = shifted((int32_t)way->gx, -down);
-    way->gy = shifted((int32_t)way->gy, -down);
-    curve->xx = shifted((int32_t)curve->xx, -down);
-    curve->xy = shifted((int32_t)curve->xy, -down);
-    curve->yy = shifted((int32_t)curve->yy, -down);
-}
-
-/* Sets light, filter and level of a triangle; u and v are those of the first level. */
+/* Sets level and light of a triangle; u and v are those of the first level. */
 static FX_APART void set_general(struct ph_triangle *t, const struct frame *f, const struct ph_vertex *const v[3])
 {
     struct ph_small_map *const map = &t->as.small.of.map;
-    const struct ph_texture *const texture = t->material->texture;
-    const int width = texture->log2_width, height = texture->log2_height, v_up = ph_texel_row_up(texture);
-    const struct ph_texel_slope right = {(int32_t)map->u.gx >> 6, (int32_t)map->v.gx >> v_up};
-    const struct ph_texel_slope down = {(int32_t)map->u.gy >> 6, (int32_t)map->v.gy >> v_up};
-    const int level = (int)ph_texel_level(texture, &right, &down);
-    if (level > 0) {
-        const int narrower = ph_min(level, width), lower = ph_min(level, height);
-        shrink(&map->u, &map->u_curve, narrower);
-        shrink(&map->v, &map->v_curve, texture->filter == PH_FILTER_NEAREST ? narrower + lower : lower);
+    const struct ph_levels *const levels = ph_levels_of(t->material->texture);
+    if (levels != NULL) {
+        levels->set_level(map, t->material->texture);
     }
-    map->level = (uint8_t)level;
     if (map->light.shaded) {
         set_shades(t, f, v);
     }
@@ -242,7 +225,7 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_setting *s, const st
     map->y = (int8_t)((v[0]->y >> 8) - t->y_top);
     map->level = 0;
     map->light = ph_texture_light(t->material, v[0]);
-    const bool nearest = !map->light.shaded && !map->light.smooth;
+    const bool nearest = !map->light.shaded && texture->filter == NULL;
     map->fast = nearest && map->light.light == 32 && texture->wrap == PH_WRAP_REPEAT;
     if (!nearest) {
         set_general(t, &f, v);

@@ -42,31 +42,10 @@ PH_TIER(scenery)
 static bool is_inside(const struct ph_triangle *t, const struct ph_texture *map, const struct ph_surface *s)
 {
     const int least = ph_min(map->log2_width, map->log2_height);
-    const uint32_t half = map->filter != PH_FILTER_NEAREST ? ((uint32_t)1 << 24) >> least : 0, one = (uint32_t)1 << 25;
+    const uint32_t half = map->filter != NULL ? ((uint32_t)1 << 24) >> least : 0, one = (uint32_t)1 << 25;
     const unsigned range = t->as.large.of.map.range_log2;
     const uint32_t margin = (1 << 15) + (half >> range), span = (one >> range) - 2 * margin;
     return span < one && are_inside(&s->u, margin, span) && are_inside(&s->v, margin, span);
-}
-
-/* The change of u or v between two corners in texels of 2^-16 from pixel to pixel, the range being 2^range texels. */
-static int32_t slope_of(int32_t from, int32_t to, int range, int size_log2)
-{
-    const int64_t change = (int64_t)to - from;
-    return fx_sat64(change * ((int64_t)1 << range) >> (9 + size_log2));
-}
-
-/* The level of the map for a tile. */
-static unsigned level_of(const struct ph_triangle *t, const struct ph_tile *tile, const struct ph_surface *s)
-{
-    const struct ph_texture *const texture = t->material->texture;
-    const int range = t->as.large.of.map.range_log2;
-    const int u = range + texture->log2_width, v = range + texture->log2_height;
-    const int width = tile->width_log2, height = tile->height_log2;
-    const struct ph_texel_slope right = {slope_of(s->u.left[0], s->u.right[0], u, width),
-                                         slope_of(s->v.left[0], s->v.right[0], v, width)};
-    const struct ph_texel_slope down = {slope_of(s->u.left[0], s->u.left[1], u, height),
-                                        slope_of(s->v.left[0], s->v.left[1], v, height)};
-    return ph_texel_level(texture, &right, &down);
 }
 
 /*
@@ -88,13 +67,6 @@ static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile
     ph_set_texel_kind(k, r, map, &t->as.large.of.map.light);
     ph_surface_way(&r->u, &s->u, s, tile, k->u_down + range + width - 25);
     ph_surface_way(&r->v, &s->v, s, tile, k->v_down + range + height - 25);
-}
-
-static PH_NOINLINE void set_mapped_texels(struct ph_tile_kind *k, const struct ph_tile *tile,
-                                          const struct ph_surface *s, struct ph_tile_rows *r)
-{
-    const struct ph_texture map = ph_texel_map(k->triangle->material->texture, level_of(k->triangle, tile, s));
-    set_texels(k, tile, s, &map, r);
 }
 
 /* Draws the rows of the upper or the lower half that are in the band; r stands at the first of them. */
@@ -144,6 +116,9 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     const uint32_t stride = band->stride, left = (uint32_t)band->width - tile->x, columns = 1u << tile->width_log2;
     const uint32_t at = (uint32_t)(rows.y0 - band->y0) * stride + tile->x;
     const struct ph_plane *const depth = &t->as.large.depth.as.plane;
+    const struct ph_texture *texture = t->material->texture;
+    const struct ph_levels *const levels = ph_levels_of(texture);
+    struct ph_texture map;
     struct ph_tile_kind k;
     struct ph_tile_rows r;
     r.row.depth = ph_depth_from(band->depth, at, band->depth24);
@@ -158,11 +133,11 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     r.row.d = ph_plane_at(depth, tile->x, (uint32_t)rows.y0);
     r.row.gd = depth->gx;
     r.row.d_dy = depth->gy;
-    if (t->material->texture->filter == PH_FILTER_MIPMAP) {
-        set_mapped_texels(&k, tile, s, &r);
-    } else {
-        set_texels(&k, tile, s, t->material->texture, &r);
+    if (levels != NULL) {
+        map = levels->map_of(texture, levels->level_of_tile(t, tile, s));
+        texture = &map;
     }
+    set_texels(&k, tile, s, texture, &r);
     if (k.lit) {
         set_light(&r, &t->as.large.of.map, tile->x, (uint32_t)rows.y0);
     }

@@ -127,8 +127,8 @@ enum ph_kind {
 
 /* What the texels of a triangle are drawn with. */
 struct ph_texel_light {
-    uint8_t light;       /* 32nds, 0 .. 32, unless it is shaded */
-    bool shaded, smooth; /* light changes from pixel to pixel; bilinear */
+    uint8_t light; /* 32nds, 0 .. 32, unless it is shaded */
+    bool shaded;   /* light changes from pixel to pixel */
 };
 
 /* u and v over a small triangle; these and the curves count from pixel (x, y_top + y), that of the first corner. */

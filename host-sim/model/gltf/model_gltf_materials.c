@@ -150,7 +150,7 @@ static void read_wrap(struct model_shared *shared, const struct gltf_json *sampl
 }
 
 /* The filter that comes nearest to a sampler's: levels are for texels that are not magnified by the nearest one. */
-static uint8_t filter_of(const struct gltf_json *sampler)
+static const struct ph_filter *filter_of(const struct gltf_json *sampler)
 {
     const uint32_t larger = gltf_file_whole(sampler, "magFilter", 0),
                    smaller = gltf_file_whole(sampler, "minFilter", 0);

@@ -476,7 +476,9 @@ static uint32_t try_texel_run(uint32_t h)
     r.row.light = below(33 << 24);
     r.row.light_dy = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> steep);
     r.row.glight = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> (steep + 3));
-    r.kind = below(4);
+    static ph_texel_row_kernel *const rows[4] = {ph_texel_row_nearest, ph_texel_row_lit, ph_texel_row_smooth,
+                                                 ph_texel_row_smooth_lit};
+    r.draw_row = rows[below(4)];
     struct ph_texel_row row = {.gd = r.row.gd, .u_mask = r.row.u_mask, .v_mask = r.row.v_mask, .texels = texels};
     row.light_step = 4 * r.row.glight;
     row.u.bend = 4 * r.u.bend;

@@ -141,6 +141,7 @@ static void materials_name_what_they_share(void **state)
 
 static void textures_and_blends_are_structs(void **state)
 {
+    static const struct ph_filter *const named[] = {PH_FILTER_NEAREST, PH_FILTER_BILINEAR, PH_FILTER_MIPMAP};
     static const char *const filters[] = {"NEAREST", "BILINEAR", "MIPMAP"}, *const kinds[] = {NULL, "MASK", "TIMES",
                                                                                               "ALPHA", "ADD"};
     (void)state;
@@ -150,15 +151,16 @@ static void textures_and_blends_are_structs(void **state)
                 "    .wrap = PH_WRAP_REPEAT, .filter = PH_FILTER_MIPMAP, .levels = 2};");
     expect_once("alphas_1 = {.texels = alphas_texels_1, .log2_width = 1, .log2_height = 2,\n"
                 "    .wrap = PH_WRAP_CLAMP, .filter = PH_FILTER_BILINEAR, .levels = 0};");
-    expect_once("blend_1 = {.draw = ph_draw_blended_alphas, .kind = PH_BLEND_ALPHA, .alpha = 20,\n    .alphas = &alphas_1};");
+    expect_once(
+        "blend_1 = {.draw = ph_draw_blended_alphas, .kind = PH_BLEND_ALPHA, .alpha = 20,\n    .alphas = &alphas_1};");
     expect_once("blend_2 = {.draw = ph_draw_blended, .kind = PH_BLEND_ADD, .alpha = 30,\n    };");
-    for (uint8_t filter = 0; filter < 3; filter++) {
+    for (int i = 0; i < 3; i++) {
         char part[60];
-        ((struct ph_texture *)(uintptr_t)made_blend(1)->alphas)->filter = filter & 3;
+        ((struct ph_texture *)(uintptr_t)made_blend(1)->alphas)->filter = named[i];
         made_material(1)->texture = NULL;
         made_material(2)->texture = NULL;
         write_asset(asset);
-        snprintf(part, sizeof part, "PH_FILTER_%s", filters[filter]);
+        snprintf(part, sizeof part, "PH_FILTER_%s", filters[i]);
         expect_once(part);
     }
     for (uint8_t kind = PH_BLEND_MASK; kind <= PH_BLEND_ADD; kind++) {

@@ -163,7 +163,7 @@ static void the_option_or_the_file_chooses_the_filter(void **state)
 {
     static const struct {
         const char *option;
-        uint8_t file, filter;
+        const struct ph_filter *file, *filter;
         bool is_noted;
     } cases[] = {{NULL, PH_FILTER_NEAREST, PH_FILTER_NEAREST, false},
                  {NULL, PH_FILTER_MIPMAP, PH_FILTER_NEAREST, true},
@@ -181,7 +181,7 @@ static void the_option_or_the_file_chooses_the_filter(void **state)
         surface.picture = row_of(greys, 4, false);
         make();
         assert_non_null(made.surface.texture);
-        assert_int_equal(made.surface.texture->filter, cases[i].filter);
+        assert_ptr_equal(made.surface.texture->filter, cases[i].filter);
         assert_int_equal(made.surface.texture->wrap, i % 2);
         assert_int_equal(shared.note[0] != '\0', cases[i].is_noted);
         assert_true(surface.picture.picture.rgb == NULL && surface.picture.alpha == NULL); /* they are freed */

@@ -48,9 +48,10 @@
     function ph_texel_run_rows @ r0: struct ph_texel_run, r1: struct ph_texel_row
     save_registers
     movs r2, r0
-    adds r2, #run_kind
+    adds r2, #run_draw
     ldr r2, [r2]
-    cmp r2, #1 @ PH_TEXEL_ROW_LIT
+    ldr r3, lit_here
+    cmp r2, r3
     bne 1f
     b lit
 1:  movs r2, #0
@@ -58,11 +59,8 @@ any: @ r2 pixels so far
     mov r8, r0
     mov r9, r1
     mov r10, r2
-    adds r0, #run_kind
+    adds r0, #run_draw
     ldr r0, [r0]
-    lsls r0, r0, #2
-    adr r1, kernels
-    ldr r0, [r1, r0]
     push {r0}
 row:
     mov r0, r8
@@ -167,8 +165,8 @@ empty:
     movs r4, #1
     b 2b
     .p2align 2
-kernels:
-    .word ph_texel_row_nearest, ph_texel_row_lit, ph_texel_row_smooth, ph_texel_row_smooth_lit
+lit_here:
+    .word ph_texel_row_lit
 
     @ Rows with light alone, of nearest texels: the light of a row and all that its pixels need stay on the stack.
 lit:

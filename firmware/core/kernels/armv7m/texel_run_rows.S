@@ -26,9 +26,7 @@
     mov r9, r0
     mov r10, r1
     mov r11, #0
-    ldr r0, [r9, #run_kind]
-    adr r1, kernels
-    ldr r8, [r1, r0, lsl #2]
+    ldr r8, [r9, #run_draw]
 row:
     ldm r9, {r0-r5} @ left, right, d, left_dx, right_dx, d_dy
     asrs r6, r0, #16
@@ -102,7 +100,4 @@ empty:
     line_down
     movs r5, #1
     b 2b
-    .p2align 2
-kernels:
-    .word ph_texel_row_nearest, ph_texel_row_lit, ph_texel_row_smooth, ph_texel_row_smooth_lit
     .size ph_texel_run_rows, . - ph_texel_run_rows

@@ -54,7 +54,7 @@ static inline uint32_t ph_texel_run_rows_portable(struct ph_texel_run *r, struct
             if (!fast) {
                 break;
             }
-            ph_texel_row_draw(row, r->kind);
+            r->draw_row(row);
         }
     }
     return count;

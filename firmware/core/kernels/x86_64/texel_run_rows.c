@@ -132,7 +132,7 @@ static inline uint64_t draw_rows(struct ph_texel_run *r, const struct lit_texels
 
 uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row)
 {
-    if (r->kind != PH_TEXEL_ROW_LIT || texels2_down(r->row.v_mask) != TEXELS2_SMALL || !texels2_fit(r)) {
+    if (r->draw_row != ph_texel_row_lit || texels2_down(r->row.v_mask) != TEXELS2_SMALL || !texels2_fit(r)) {
         return ph_texel_run_rows_portable(r, row);
     }
     struct texels2_lines l = texels2_lines_of(r);
