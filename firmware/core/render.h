@@ -174,8 +174,8 @@ struct ph_mesh {
     uint16_t part_count;
     uint16_t material_count; /* in a checked build no part may have another material; 0: not told, and not checked */
     /* A colour for each vertex, wire order, in place of the colour and the ramp of materials that are UNLIT, FLAT or
-     * GOURAUD. It is interpolated on the screen, also if it is UNLIT. NULL without. In linear-w a triangle has the
-     * colour of its first vertex. */
+     * GOURAUD; for a renderer whose config says PH_COLOURS, any other one refuses the mesh. It is interpolated on the
+     * screen, also if it is UNLIT. NULL without. In linear-w a triangle has the colour of its first vertex. */
     const uint16_t *colours;
     /* Optional: what is off the picture is passed over before any vertex is looked at. bounds[0] is a sphere around all
      * corners; with several parts, bounds[1 + i] is one around those of part i. ph_mesh_bounds() makes them. The
@@ -228,9 +228,10 @@ struct ph_light {
                                     axis, from where it points to back to the light */
     struct fx_vec3 position;     /* point, spot: world space, Q16.16 */
     fx_t reach;                  /* point, spot: intensity falls as 1 / (1 + (distance / reach)^2); 0: does not fall */
-    /* Coloured: shares of red, green and blue, 0 .. 1; all zero: white. With one coloured light in the scene, materials
-     * that are FLAT or GOURAUD take their `colour` (or the colours of the mesh) three times lit, in place of the ramp:
-     * 1.5 to 2 times the work of a vertex and a pixel. Textures are lit by the mean of the three. */
+    /* Coloured: shares of red, green and blue, 0 .. 1; all zero: white. With one coloured light in the scene, and
+     * PH_COLOURS in the renderer's config, materials that are FLAT or GOURAUD take their `colour` (or the colours of
+     * the mesh) three times lit, in place of the ramp: 1.5 to 2 times the work of a vertex and a pixel. Textures are
+     * lit by the mean of the three, and so is everything without PH_COLOURS. */
     fx_t red, green, blue;
     fx_t cos_outer, cos_inner; /* spot: cosines of the angles to the axis at which it ends, and up to which it has its
                                   full intensity; between them intensity is linear in the cosine. -1 .. 1, what is
@@ -365,6 +366,11 @@ struct ph_occlusion;
 extern const struct ph_occlusion ph_coarse_depth;
 #define PH_COARSE_DEPTH (&ph_coarse_depth)
 
+/* How meshes with colours for their vertices, and coloured light, are drawn: an address, for struct ph_config. */
+struct ph_colouring;
+extern const struct ph_colouring ph_colouring;
+#define PH_COLOURS (&ph_colouring)
+
 struct ph_vertex;   /* a transformed vertex, see vertex.h */
 struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 
@@ -414,6 +420,9 @@ struct ph_config {
     /* Optional: PH_COARSE_DEPTH passes over large triangles (8 rows of a band and more) that lie behind others, without
      * a look at pixels. Draw the nearest first. The picture is the same. A program links it if it names it. */
     const struct ph_occlusion *occlusion;
+
+    /* Optional: PH_COLOURS draws colours of vertices and coloured light. A program links them if it names it. */
+    const struct ph_colouring *colouring;
 
     /* Optional, for ph_show. */
     void *pixels;    /* width * band_height * ph_pixel_bytes(pixel_order); aligned to 2 bytes */
@@ -590,7 +599,8 @@ int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
 
 /*
  * Draws a mesh. to_world places it: a rigid transform with a uniform scale below 2.
- * Errors: PH_ERR_INVAL: to_world is NULL, or so is something that a count of the mesh says is there. Built with
+ * Errors: PH_ERR_INVAL: to_world is NULL, or so is something that a count of the mesh says is there; or the mesh has
+ *         colours, and the config no PH_COLOURS. Built with
  *         -DPH_CHECKED also: a triangle or an edge names a vertex, or a part triangles or a material, that are not
  *         there, or a corner lies outside of the bounds. Nothing is drawn.
  *         PH_ERR_NOMEM: the mesh has more vertices than the vertex budget; it is left out and counted. (If other meshes

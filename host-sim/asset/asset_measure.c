@@ -55,6 +55,7 @@ static int set_up(struct stage *s, struct asset *asset, const struct board *boar
                                      .height = height,
                                      .band_height = 1,
                                      .depth_format = PH_DEPTH_AUTO,
+                                     .colouring = PH_COLOURS,
                                      .vertices = vertices,
                                      .vertex_max = s->demo.vertex_max,
                                      .triangles = list,

@@ -174,6 +174,7 @@ static bool run(const struct scene *scene, unsigned format)
                                      .band_height = formats[format] == PH_DEPTH_AUTO ? KIT_LINES : HEIGHT,
                                      .depth_format = formats[format],
                                      .occlusion = PH_COARSE_DEPTH,
+                                     .colouring = PH_COLOURS,
                                      .vertices = vertices,
                                      .vertex_max = (uint32_t)(sizeof vertices / ph_vertex_bytes),
                                      .triangles = triangles,

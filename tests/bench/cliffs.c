@@ -83,6 +83,7 @@ static struct ph_renderer renderer_of(const struct view *view)
                                      .band_height = view->lines,
                                      .depth_format = view->depth_format,
                                      .occlusion = PH_COARSE_DEPTH,
+                                     .colouring = PH_COLOURS,
                                      .vertices = vertices,
                                      .vertex_max = (uint32_t)(sizeof vertices / ph_vertex_bytes),
                                      .triangles = triangles,

@@ -62,6 +62,7 @@ static bool run(const struct demo *demo)
                                      .band_height = LINES,
                                      .depth_format = PH_DEPTH_AUTO,
                                      .occlusion = PH_COARSE_DEPTH,
+                                     .colouring = PH_COLOURS,
                                      .vertices = scene,
                                      .vertex_max = (uint32_t)(sizeof scene / ph_vertex_bytes),
                                      .triangles = scene,

@@ -83,6 +83,7 @@ static void measure_drawing(const char *kind, uint32_t x, const struct picture *
                                      .band_height = picture->band_height,
                                      .depth_format = PH_DEPTH_FIXED16,
                                      .occlusion = PH_COARSE_DEPTH,
+                                     .colouring = PH_COLOURS,
                                      .vertices = vertices,
                                      .vertex_max = (uint32_t)(sizeof vertices / ph_vertex_bytes),
                                      .triangles = triangles,

@@ -305,6 +305,7 @@ static void draw(const struct scene *s, bool bounded, uint64_t seed, struct pict
                                      .height = HEIGHT,
                                      .band_height = HEIGHT,
                                      .depth_format = s->depth_format,
+                                     .colouring = PH_COLOURS,
                                      .vertices = vertices,
                                      .vertex_max = sizeof vertices / ph_vertex_bytes,
                                      .triangles = triangles,

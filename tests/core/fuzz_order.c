@@ -109,6 +109,7 @@ static void open_subject(struct subject *s)
                                    .height = LINES,
                                    .band_height = (uint16_t)lines,
                                    .depth_format = PH_DEPTH_AUTO,
+                                   .colouring = PH_COLOURS,
                                    .vertices = memory(n * ph_vertex_bytes),
                                    .vertex_max = n,
                                    .triangles = memory(n * ph_triangle_bytes),

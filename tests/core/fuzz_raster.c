@@ -179,6 +179,7 @@ static struct ph_config any_config(struct memory *memory)
     static const uint16_t sizes[][2] = {{1, 1},   {1024, 3}, {3, 1024}, {1, 64},   {64, 1},
                                         {16, 12}, {320, 24}, {128, 64}, {160, 120}};
     struct ph_config config = {.occlusion = PH_COARSE_DEPTH,
+                               .colouring = PH_COLOURS,
                                .depth_format = ph_depth_formats[below(PH_DEPTH_FORMATS)],
                                .depth_exponent = (uint8_t)(below(2) ? 3 + below(4) : 0)};
     const uint32_t kind = below(16), of = kind < 8 ? kind : 8; /* the last one has room inside for small triangles */

@@ -31,6 +31,7 @@ static void open_stage(struct stage *s, int lines, bool antialias)
                                      .height = H,
                                      .band_height = (uint16_t)lines,
                                      .depth_format = PH_DEPTH_FIXED16,
+                                     .colouring = PH_COLOURS,
                                      .vertices = s->vertices,
                                      .vertex_max = 64,
                                      .triangles = s->triangles,

@@ -84,6 +84,7 @@ static void draw(const struct ph_depth_format *format, uint16_t lines, const str
                                      .band_height = lines,
                                      .depth_format = format,
                                      .occlusion = occlusion,
+                                     .colouring = PH_COLOURS,
                                      .vertices = vertices,
                                      .vertex_max = (uint32_t)(sizeof vertices / ph_vertex_bytes),
                                      .triangles = triangles,

@@ -140,6 +140,7 @@ static struct film *shoot(const struct demo *demo, uint16_t lines, const struct 
                                .height = HEIGHT,
                                .band_height = lines,
                                .depth_format = format,
+                               .colouring = PH_COLOURS,
                                .vertices = malloc(ph_vertex_bytes * vertices + 1),
                                .vertex_max = vertices,
                                .triangles = malloc(ph_triangle_bytes * demo->triangle_max + 1),

@@ -324,6 +324,51 @@ static void coloured_lights_add_up_channel_by_channel(void **state)
     assert_true(surface_row("light: coloured", "most, of 31", worst_of(PH_LIGHT_SPOT, 3, .5, 2, 1.5, true), .8));
 }
 
+/* A renderer without PH_COLOURS draws a light of red 1, green 1/2 and blue 0 as a white one of half its intensity, and
+ * refuses a mesh with colours. */
+static void without_ph_colours_light_is_white_and_a_mesh_with_colours_is_refused(void **state)
+{
+    static const struct fx_vec3 positions[3] = {
+        {FX_INT(-4), FX_INT(-4), FX_INT(-5)}, {FX_INT(4), FX_INT(-4), FX_INT(-5)}, {0, FX_INT(6), FX_INT(-5)}};
+    static const int16_t normals[3][3] = {{0, 0, 16384}, {0, 0, 16384}, {0, 0, 16384}};
+    static const uint16_t triangle[1][3] = {{0, 1, 2}}, colours[3] = {1, 2, 3};
+    static const struct ph_part part = {0, 1, 0};
+    const struct motion still = {.scale = 1, .fixed = ph_xform_identity};
+    uint16_t ramp[PH_RAMP_SIZE];
+    struct rig rig;
+    (void)state;
+    for (uint16_t i = 0; i < PH_RAMP_SIZE; i++) {
+        ramp[i] = i;
+    }
+    struct lighting light = {
+        .scene = {.count = 1,
+                  .lights = {{.intensity = FX_ONE, .to_light_q30 = {0, 0, 1 << 30}, .red = FX_ONE, .green = FX_HALF}}},
+        .material = {.shading = PH_SHADE_FLAT, .diffuse = FX_ONE, .ramp = ramp, .colour = 0xffff}};
+    rig_open(&rig, SIZE, SIZE, SIZE, PH_DEPTH_FIXED16, 3, 4);
+    const uint16_t coloured = drawn_entry(&rig, &light, &still, &still, positions, normals);
+    assert_true(coloured >= PH_RAMP_SIZE); /* no entry of the ramp, but a colour */
+    struct ph_config config = rig.r.config;
+    config.colouring = NULL;
+    assert_int_equal(ph_renderer_init(&rig.r, &config), PH_OK);
+    assert_in_range(drawn_entry(&rig, &light, &still, &still, positions, normals), 63, 64); /* of 4 .. 123 */
+    struct ph_mesh mesh = {.positions = positions,
+                           .triangles = triangle,
+                           .parts = &part,
+                           .materials = &light.material,
+                           .vertex_count = 3,
+                           .triangle_count = 1,
+                           .part_count = 1,
+                           .colours = colours};
+    struct ph_projection projection;
+    assert_int_equal(ph_projection_perspective(&projection, FX_INT(60), FX_ONE, FX_HALF, FX_INT(100)), PH_OK);
+    assert_int_equal(ph_frame_begin(&rig.r, &ph_xform_identity, &projection, NULL, 0), PH_OK);
+    assert_int_equal(ph_draw_mesh(&rig.r, &mesh, &ph_xform_identity), PH_ERR_INVAL);
+    assert_int_equal(rig.r.stats.vertices, 0);
+    mesh.colours = NULL;
+    assert_int_equal(ph_draw_mesh(&rig.r, &mesh, &ph_xform_identity), PH_OK);
+    rig_close(&rig);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -335,6 +380,7 @@ int main(void)
         cmocka_unit_test(highlights_follow_blinn),
         cmocka_unit_test(spots_light_what_lies_in_their_cone),
         cmocka_unit_test(coloured_lights_add_up_channel_by_channel),
+        cmocka_unit_test(without_ph_colours_light_is_white_and_a_mesh_with_colours_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

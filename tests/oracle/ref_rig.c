@@ -38,6 +38,7 @@ void rig_open(struct rig *rig, int width, int height, int band_height, const str
                                .band_height = (uint16_t)band_height,
                                .depth_format = format,
                                .occlusion = PH_COARSE_DEPTH,
+                               .colouring = PH_COLOURS,
                                .vertices = rig->vertices,
                                .vertex_max = (uint32_t)vertex_max,
                                .triangles = rig->triangles,

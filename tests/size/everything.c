@@ -35,6 +35,7 @@ static int begin(unsigned choice)
     config.antialiasing = PH_ANTIALIAS_2X2;
     config.cores = PH_TWO_CORES;
     config.occlusion = PH_COARSE_DEPTH;
+    config.colouring = PH_COLOURS;
     config.other_core = other_core;
     config.other_core_join = other_core_join;
     config.pixels = pixels;

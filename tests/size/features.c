@@ -199,24 +199,29 @@ static int bands(void)
 
 int main(void)
 {
-    const struct ph_config config = {PICTURE_CONFIG,
+    const struct ph_config config = {
+        PICTURE_CONFIG,
 #ifdef ANTIALIAS
-                                     .samples = (uint16_t *)samples,
-                                     .antialiasing = PH_ANTIALIAS_2X2,
+        .samples = (uint16_t *)samples,
+        .antialiasing = PH_ANTIALIAS_2X2,
 #endif
 #ifdef CORES
-                                     .other_core = other_core,
-                                     .other_core_join = other_core_join,
-                                     .cores = PH_TWO_CORES,
+        .other_core = other_core,
+        .other_core_join = other_core_join,
+        .cores = PH_TWO_CORES,
 #endif
 #ifdef COARSE
-                                     .occlusion = PH_COARSE_DEPTH,
+        .occlusion = PH_COARSE_DEPTH,
+#endif
+#if defined(COLOURS) || defined(COLOURED_LIGHT)
+        .colouring = PH_COLOURS,
 #endif
 #ifdef SHOW
-                                     .pixels = pixels,
-                                     .shown = shown,
+        .pixels = pixels,
+        .shown = shown,
 #endif
-                                     .depth_format = FORMAT};
+        .depth_format = FORMAT
+    };
     int status = ph_renderer_init(&renderer, &config);
     ph_material_ramp(ramp, 255, 160, 0, FX_ONE);
     for (uint32_t turn = 0; status == PH_OK; turn += 1 << 28) {

@@ -67,8 +67,7 @@ static uint16_t light_half(const struct ph_local_lights *local, const int16_t no
     return ph_light_vertex(local, normal, position) / 2;
 }
 
-static const struct ph_lighting half = {
-    .light_prepare = ph_light_prepare, .light_vertex = light_half, .light_colour = ph_light_colour};
+static const struct ph_lighting half = {.light_prepare = ph_light_prepare, .light_vertex = light_half};
 
 const struct ph_shading ph_shade_made_up = {.corners = PH_FIRST_CORNER, .lighting = &half};
 EOT

@@ -5,7 +5,8 @@
 #include "depth_ways.h"
 #include "edge.h"
 
-struct ph_coarse; /* coarse.h */
+struct ph_coarse;    /* coarse.h */
+struct ph_colouring; /* colours.h */
 
 /* Rows y0 .. y1 - 1 of the picture, and the memory that they are drawn into. */
 struct ph_band {
@@ -14,8 +15,9 @@ struct ph_band {
     bool depth24;     /* depth codes have 24 bits */
     uint16_t stride;  /* pixels from row to row */
     int32_t y0, y1, width;
-    struct ph_coarse *coarse;         /* of these rows; NULL: none is kept */
-    const struct ph_depth_ways *ways; /* of the frame's format */
+    struct ph_coarse *coarse;             /* of these rows; NULL: none is kept */
+    const struct ph_depth_ways *ways;     /* of the frame's format */
+    const struct ph_colouring *colouring; /* of the config; or NULL */
 };
 
 /* The address of pixel n of a depth buffer, whose codes have 16 or 24 bits. */

@@ -164,8 +164,8 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
     struct ph_coarse coarse[2]; /* the other core has its own, for its rows */
     coarse[0].count = coarse[1].count = 0;
     coarse[0].occlusion = coarse[1].occlusion = r->config.occlusion;
-    struct ph_band rows = {NULL, r->config.depth, depth24, r->config.width, y0,
-                           y1,   r->config.width, NULL,    ph_depth_ways(r)};
+    struct ph_band rows = {NULL, r->config.depth, depth24, r->config.width,  y0,
+                           y1,   r->config.width, NULL,    ph_depth_ways(r), r->config.colouring};
     rows.coarse = r->config.occlusion != NULL ? coarse : NULL;
     const struct ph_antialiasing *const antialiasing = r->config.antialiasing;
     rows.pixels = antialiasing != NULL

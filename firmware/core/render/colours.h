@@ -4,6 +4,27 @@
 
 #include "band.h"
 
+struct ph_clip_vertex;
+struct ph_part_context;
+
+/* What the name PH_COLOURS stands for. A config points to it, and nothing else refers to these functions, so the linker
+ * leaves them out of a program that does not name it. */
+struct ph_colouring {
+    /* mesh_colours.c: whether the vertices of a part have colours in place of light; and the same own colours as in the
+     * part before, which had that material. */
+    bool (*is_coloured)(const struct ph_part_context *c);
+    bool (*is_alike)(const struct ph_part_context *c, const struct ph_material *before);
+    /* The lit colour of a vertex, RGB565 as a number. */
+    uint16_t (*vertex_colour)(const struct ph_part_context *c, uint32_t i);
+    /* Before clipping: the channels of lit colours take the places of light, u and v, 16 bits each: see
+     * ph_list_corners. */
+    void (*take_colours)(struct ph_clip_vertex *in, bool flat);
+    /* planes.h: ph_set_colours; and ph_draw_colours. */
+    void (*set_colours)(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
+                        bool flat);
+    uint32_t (*draw_colours)(const struct ph_triangle *t, const struct ph_band *band);
+};
+
 /* Draws the rows of a triangle of PH_KIND_COLOURS that lie in the band. Returns the number of its pixels. */
 uint32_t ph_draw_colours(const struct ph_triangle *t, const struct ph_band *band);
 

@@ -61,15 +61,6 @@ static void prepare_colour(struct ph_local_light *l, const struct ph_light *ligh
     }
 }
 
-bool ph_light_has_colour(const struct ph_scene_light *light)
-{
-    fx_t any = 0;
-    for (uint32_t i = 0; i < light->count; i++) {
-        any |= light->lights[i].red | light->lights[i].green | light->lights[i].blue;
-    }
-    return any != 0;
-}
-
 /* What all lights of a mesh and a material share; to_viewer is set where the material has highlights. */
 static void prepare_material(struct ph_local_lights *local, const struct ph_renderer *r,
                              const struct ph_xform *to_world, const struct ph_material *material)

@@ -76,9 +76,6 @@ static inline int32_t ph_shine_of(const struct ph_local_lights *local, int32_t n
 void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r, const struct ph_xform *to_world,
                       const struct ph_material *material, bool coloured);
 
-/* Whether one of the lights is not white. */
-bool ph_light_has_colour(const struct ph_scene_light *light);
-
 /* Lit colour of a vertex, RGB565 as a number; base: its own colour, in the same form. normal: NULL: full light. */
 uint16_t ph_light_colour(const struct ph_local_lights *local, const int16_t *normal, const struct fx_vec3 *position,
                          uint32_t base);

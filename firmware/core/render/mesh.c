@@ -122,21 +122,6 @@ static bool is_lit_alike(const struct ph_material *a, const struct ph_material *
            a->shininess_log2 == b->shininess_log2;
 }
 
-/* Whether the vertices of a part have colours in place of light. */
-static bool is_coloured(const struct ph_part_context *c)
-{
-    const bool lit = ph_lit_corners_of(c->material) != PH_NO_CORNER && !ph_takes_texture(c->material);
-    return c->mesh->colours != NULL ? lit || c->material->shading == PH_SHADE_UNLIT
-                                    : lit && c->mesh->normals != NULL && ph_light_has_colour(&c->r->light);
-}
-
-/* Whether the vertices have the same own colour as in the part before. */
-static bool is_coloured_alike(const struct ph_part_context *c, const struct ph_material *before)
-{
-    return c->mesh->colours != NULL ? (before->shading == PH_SHADE_UNLIT) == (c->material->shading == PH_SHADE_UNLIT)
-                                    : before->colour == c->material->colour;
-}
-
 /* Gives a part that needs another light of its vertices than the part before a copy of them. */
 static bool copy_vertices(struct ph_part_context *c)
 {
@@ -171,14 +156,15 @@ static PH_NOINLINE bool light_part(struct ph_part_context *c, const struct ph_pa
                                    const struct ph_xform *to_world)
 {
     const struct ph_material *const material = c->material, *const before = c->lit_as;
-    c->coloured = is_coloured(c);
+    const struct ph_colouring *const colouring = c->r->config.colouring;
+    c->coloured = colouring != NULL && colouring->is_coloured(c);
     c->lighting = material->shading != NULL ? material->shading->lighting : NULL;
     c->lit = c->coloured || (c->mesh->normals != NULL && c->lighting != NULL);
     if (!c->lit) {
         return true;
     }
     const bool alike = before != NULL && is_lit_alike(before, material) &&
-                       (c->coloured ? c->lit_coloured && is_coloured_alike(c, before) : !c->lit_coloured);
+                       (c->coloured ? c->lit_coloured && colouring->is_alike(c, before) : !c->lit_coloured);
     c->lit_as = material;
     c->lit_coloured = c->coloured;
     if (!alike && c->lighting != NULL) {
@@ -230,7 +216,7 @@ static void draw_part(struct ph_part_context *c, const struct ph_part *part, con
 
 PH_TIER(mesh) int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
-    if (!ph_check_mesh(mesh) || to_world == NULL) {
+    if (!ph_check_mesh(mesh) || to_world == NULL || (mesh->colours != NULL && r->config.colouring == NULL)) {
         return PH_ERR_INVAL;
     }
     const struct ph_culling *const culling = mesh->bounds != NULL ? mesh->bounds->culling : NULL;

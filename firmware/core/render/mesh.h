@@ -3,7 +3,7 @@
 #define PH_MESH_H
 
 #include "clip.h"
-#include "colour.h"
+#include "colours.h"
 #include "cull.h"
 #include "light.h"
 #include "list.h"
@@ -28,13 +28,10 @@ struct ph_part_context {
     bool mixed;                  /* the vertices have the lights of several materials */
 };
 
-/* mesh_triangle.c: the lit colour of a vertex. */
-uint16_t ph_vertex_colour(const struct ph_part_context *c, uint32_t i);
-
 /* The light of a vertex, or its lit colour. */
 static inline uint16_t ph_vertex_light(const struct ph_part_context *c, uint32_t i)
 {
-    return c->coloured ? ph_vertex_colour(c, i)
+    return c->coloured ? c->r->config.colouring->vertex_colour(c, i)
                        : c->lighting->light_vertex(&c->lights, c->mesh->normals[i], &c->mesh->positions[i]);
 }
 

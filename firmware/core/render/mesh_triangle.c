@@ -3,17 +3,8 @@
 #include "mesh.h"
 
 #include "clipped.h"
-#include "colour.h"
 #include "edge.h"
 #include "fisheye.h"
-
-PH_NOINLINE uint16_t ph_vertex_colour(const struct ph_part_context *c, uint32_t i)
-{
-    const struct ph_mesh *const mesh = c->mesh;
-    const int16_t *const normal = mesh->normals != NULL && c->lighting != NULL ? mesh->normals[i] : NULL;
-    const uint16_t base = ph_wire16(mesh->colours != NULL ? mesh->colours[i] : c->material->colour);
-    return normal != NULL ? c->lighting->light_colour(&c->lights, normal, &mesh->positions[i], base) : base;
-}
 
 /* Lights the corners of a triangle, unless they are lit already. ph_cull may have marked them only. */
 PH_TIER(scenery) static void light_corners(const struct ph_part_context *c, const uint16_t index[3])
@@ -42,18 +33,6 @@ PH_TIER(few) struct ph_clip_vertex ph_mesh_vertex(const struct ph_part_context *
     return v;
 }
 
-/* The channels of lit colours take the places of light, u and v, 16 bits each: see ph_list_corners. */
-static PH_NOINLINE void take_colours(struct ph_clip_vertex in[3], bool flat)
-{
-    for (int i = 0; i < 3; i++) {
-        const int32_t colour = in[flat ? 0 : i].light;
-        in[i].uv[0] = (colour >> 5 & 63) << 10 | 1 << 9;
-        in[i].uv[1] = (colour & 31) << 11 | 1 << 10;
-        in[i].light = flat && i == 0 ? colour : (colour >> 11) << 11 | 1 << 10;
-    }
-    in[0].light = (in[0].light >> 11) << 11 | 1 << 10;
-}
-
 PH_TIER(few) static PH_NOINLINE void draw_clipped(const struct ph_part_context *c, const uint16_t index[3])
 {
     struct ph_clip_vertex in[3];
@@ -62,7 +41,7 @@ PH_TIER(few) static PH_NOINLINE void draw_clipped(const struct ph_part_context *
         in[i] = ph_mesh_vertex(c, index[i]);
     }
     if (c->coloured) {
-        take_colours(in, ph_lit_corners_of(c->material) == PH_FIRST_CORNER);
+        c->r->config.colouring->take_colours(in, ph_lit_corners_of(c->material) == PH_FIRST_CORNER);
     } else if (ph_lit_corners_of(c->material) != PH_EACH_CORNER) { /* one light for the whole triangle */
         in[1].light = in[2].light = in[0].light;
     }

@@ -15,7 +15,7 @@ PH_TIER(loop) uint32_t ph_draw_large(const struct ph_triangle *t, const struct p
         return ph_draw_long(t, band);
     }
     return t->kind == PH_KIND_TEXTURE   ? t->material->shading->texturing.draw_textured(t, band)
-           : t->kind == PH_KIND_COLOURS ? ph_draw_colours(t, band)
+           : t->kind == PH_KIND_COLOURS ? band->colouring->draw_colours(t, band)
            : in_codes                   ? ph_walk_flat(t, band)
                                         : band->ways->walk(t, band);
 }

@@ -13,6 +13,7 @@ PH_TIER(mesh) static inline bool ph_is_between(int32_t a, int32_t b, int32_t c, 
 
 #include "setup.h"
 
+#include "colours.h"
 #include "edge.h"
 #include "exact.h"
 #include "kernels.h"
@@ -218,7 +219,7 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     const bool colours = (s->draw->kind & PH_DRAW_COLOURS) != 0;
     bool fits = setup_any(r, s->fast.material, v, uv, sides, t);
     if (colours) {
-        ph_set_colours(t, v, sides, ph_lit_corners_of(s->fast.material) == PH_FIRST_CORNER);
+        r->config.colouring->set_colours(t, v, sides, ph_lit_corners_of(s->fast.material) == PH_FIRST_CORNER);
     }
     if (s->fast.material->depth_bias_slope != 0) {
         fits = false;

@@ -23,8 +23,6 @@ struct ph_lighting {
                           const struct ph_material *material, bool coloured);
     uint16_t (*light_vertex)(const struct ph_local_lights *local, const int16_t normal[3],
                              const struct fx_vec3 *position);
-    uint16_t (*light_colour)(const struct ph_local_lights *local, const int16_t *normal, const struct fx_vec3 *position,
-                             uint32_t base);
 };
 
 /* Takes pixels from a texture; all are NULL in a shading without. */

@@ -7,8 +7,7 @@
 #include "texels.h"
 #include "texture.h"
 
-static const struct ph_lighting lighting = {
-    .light_prepare = ph_light_prepare, .light_vertex = ph_light_vertex, .light_colour = ph_light_colour};
+static const struct ph_lighting lighting = {.light_prepare = ph_light_prepare, .light_vertex = ph_light_vertex};
 
 #define TEXTURING                                                                                                      \
     {                                                                                                                  \
