@@ -60,6 +60,7 @@ shading() { # flat, half as bright
     sed -i 's/^#define PH_SHADE_GOURAUD .*/#define PH_SHADE_MADE_UP (\&ph_shade_made_up)\n&/; s/^extern const struct ph_shading /extern const struct ph_shading ph_shade_made_up;\n&/' firmware/core/render.h
     cat >firmware/core/render/made_up.c <<'EOT'
 /* Flat shading, half as bright. */
+#include "mesh.h"
 #include "shading.h"
 
 static uint16_t light_half(const struct ph_local_lights *local, const int16_t normal[3], const struct fx_vec3 *position)
@@ -67,7 +68,7 @@ static uint16_t light_half(const struct ph_local_lights *local, const int16_t no
     return ph_light_vertex(local, normal, position) / 2;
 }
 
-static const struct ph_lighting half = {.light_prepare = ph_light_prepare, .light_vertex = light_half};
+static const struct ph_lighting half = {.light_prepare = ph_light_prepare, .light_vertex = light_half, .parts = &ph_part_lighting};
 
 const struct ph_shading ph_shade_made_up = {.corners = PH_FIRST_CORNER, .lighting = &half};
 EOT

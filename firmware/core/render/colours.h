@@ -6,10 +6,12 @@
 
 struct ph_clip_vertex;
 struct ph_part_context;
+struct ph_part_lighting;
 
 /* What the name PH_COLOURS stands for. A config points to it, and nothing else refers to these functions, so the linker
  * leaves them out of a program that does not name it. */
 struct ph_colouring {
+    const struct ph_part_lighting *parts; /* mesh.h */
     /* mesh_colours.c: whether the vertices of a part have colours in place of light; and the same own colours as in the
      * part before, which had that material. */
     bool (*is_coloured)(const struct ph_part_context *c);

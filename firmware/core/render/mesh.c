@@ -72,37 +72,6 @@ static uint32_t draw_facing(const struct ph_part_context *c, const uint16_t (*in
     return seen + cull_alone(c, index, end);
 }
 
-/* Vertices that one core lights. */
-struct light_share {
-    const struct ph_part_context *c;
-    uint32_t from, end;
-};
-
-/* Lights the vertices that ph_cull has marked. */
-PH_TIER(mesh) static void light_share(void *argument) /* called as run */
-{
-    const struct light_share *const s = argument;
-    const struct ph_part_context *const c = s->c;
-    struct ph_vertex *const end = c->vertices + s->end;
-    for (struct ph_vertex *v = c->vertices + s->from; v < end; v++) {
-        if (v->light == 0) {
-            v->light = ph_vertex_light(c, (uint32_t)(v - c->vertices));
-        }
-    }
-}
-
-static PH_NOINLINE void light_marked(const struct ph_part_context *c)
-{
-    const uint32_t n = c->mesh->vertex_count;
-    struct light_share mine = {c, 0, n / 2}, others = {c, n / 2, n};
-    if (n < PH_SHARED_LEAST || c->r->config.other_core == NULL) {
-        mine.end = n;
-        light_share(&mine);
-    } else {
-        ph_run_both(c->r, light_share, &mine, &others);
-    }
-}
-
 PH_TIER(mesh) static void draw_triangles(struct ph_part_context *c, const struct ph_part *part)
 {
     const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
@@ -110,71 +79,19 @@ PH_TIER(mesh) static void draw_triangles(struct ph_part_context *c, const struct
                           : c->curved != NULL || c->two_sided    ? ph_draw_each(c, index, end)
                                                                  : draw_facing(c, index, end);
     if (c->lit) {
-        light_marked(c);
+        c->parts->light_marked(c);
     }
     c->r->stats.triangles_culled += part->count - seen;
 }
 
-/* Whether the light of a vertex is the same in both materials. */
-static bool is_lit_alike(const struct ph_material *a, const struct ph_material *b)
+/* What may light the vertices of a part: its shading, or colours; or NULL. */
+static const struct ph_part_lighting *lighting_of(const struct ph_part_context *c)
 {
-    return a->ambient == b->ambient && a->diffuse == b->diffuse && a->specular == b->specular &&
-           a->shininess_log2 == b->shininess_log2;
-}
-
-/* Gives a part that needs another light of its vertices than the part before a copy of them. */
-static bool copy_vertices(struct ph_part_context *c)
-{
-    const uint32_t n = c->mesh->vertex_count, place = ph_list_vertices(c->r, n);
-    if (place == PH_NONE) {
-        return false;
-    }
-    struct ph_vertex *const to = ph_at(c->r, place);
-    for (uint32_t i = 0; i < n; i++) {
-        to[i] = c->vertices[i];
-        to[i].code &= (uint8_t)~PH_LIT;
-    }
-    c->vertices = to;
-    c->draw.base = place;
-    return true;
-}
-
-/* Whether the part has vertices that are lit already. */
-static bool shares_light(const struct ph_part_context *c, const struct ph_part *part)
-{
-    for (uint32_t i = part->first; i < part->first + part->count; i++) {
-        const uint16_t *const index = c->mesh->triangles[i];
-        if ((c->vertices[index[0]].code | c->vertices[index[1]].code | c->vertices[index[2]].code) >= PH_LIT) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Prepares the light of a part. False if there is no room for another light of its vertices. */
-static PH_NOINLINE bool light_part(struct ph_part_context *c, const struct ph_part *part,
-                                   const struct ph_xform *to_world)
-{
-    const struct ph_material *const material = c->material, *const before = c->lit_as;
     const struct ph_colouring *const colouring = c->r->config.colouring;
-    c->coloured = colouring != NULL && colouring->is_coloured(c);
-    c->lighting = material->shading != NULL ? material->shading->lighting : NULL;
-    c->lit = c->coloured || (c->mesh->normals != NULL && c->lighting != NULL);
-    if (!c->lit) {
-        return true;
-    }
-    const bool alike = before != NULL && is_lit_alike(before, material) &&
-                       (c->coloured ? c->lit_coloured && colouring->is_alike(c, before) : !c->lit_coloured);
-    c->lit_as = material;
-    c->lit_coloured = c->coloured;
-    if (!alike && c->lighting != NULL) {
-        c->lighting->light_prepare(&c->lights, c->r, to_world, material, c->coloured);
-    }
-    if (before == NULL || (alike && !c->mixed)) {
-        return true;
-    }
-    c->mixed = !shares_light(c, part);
-    return c->mixed || copy_vertices(c);
+    return c->material->shading != NULL && c->material->shading->lighting != NULL
+               ? c->material->shading->lighting->parts
+           : colouring != NULL ? colouring->parts
+                               : NULL;
 }
 
 PH_TIER(mesh)
@@ -187,7 +104,9 @@ static void draw_part(struct ph_part_context *c, const struct ph_part *part, con
     if (count == 0) { /* there may be no array */
         return;
     }
-    const bool room = wire || light_part(c, part, to_world);
+    c->parts = wire ? NULL : lighting_of(c);
+    c->lit = c->coloured = false;
+    const bool room = c->parts == NULL || c->parts->light_part(c, part, to_world);
     c->draw.material = c->material;
     c->draw.uvs = ph_has_uvs(c->material) ? c->mesh->uvs : NULL;
     const struct ph_blend *const blend = c->material->blend;

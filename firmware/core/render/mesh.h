@@ -20,13 +20,26 @@ struct ph_part_context {
     struct ph_vertex *vertices;
     struct ph_draw draw;
     struct ph_local_lights lights;
-    uint32_t codes;                      /* clip codes of all vertices, combined by OR */
-    const struct ph_lighting *lighting;  /* NULL: vertices have no light */
-    const struct ph_curved_lens *curved; /* NULL: straight lines stay straight */
+    uint32_t codes;                       /* clip codes of all vertices, combined by OR */
+    const struct ph_lighting *lighting;   /* NULL: vertices have no light */
+    const struct ph_part_lighting *parts; /* NULL: nothing can be lit */
+    const struct ph_curved_lens *curved;  /* NULL: straight lines stay straight */
     bool lit, two_sided;
     bool coloured, lit_coloured; /* the part has lit colours; lit_as has them */
     bool mixed;                  /* the vertices have the lights of several materials */
 };
+
+/* Lights the vertices of a part. Lit shadings and PH_COLOURS name it; the linker leaves it out of a program without. */
+struct ph_part_lighting {
+    /* Prepares the light. False if there is no room for another light of the vertices. */
+    bool (*light_part)(struct ph_part_context *c, const struct ph_part *part, const struct ph_xform *to_world);
+    /* Lights the vertices that ph_cull has marked. */
+    void (*light_marked)(const struct ph_part_context *c);
+    /* Lights the corners of a triangle, unless they are lit already. */
+    void (*light_corners)(const struct ph_part_context *c, const uint16_t index[3]);
+};
+
+extern const struct ph_part_lighting ph_part_lighting;
 
 /* The light of a vertex, or its lit colour. */
 static inline uint16_t ph_vertex_light(const struct ph_part_context *c, uint32_t i)

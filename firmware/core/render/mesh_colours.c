@@ -49,7 +49,8 @@ static void take_colours(struct ph_clip_vertex in[3], bool flat)
     in[0].light = (in[0].light >> 11) << 11 | 1 << 10;
 }
 
-const struct ph_colouring ph_colouring = {.is_coloured = is_coloured,
+const struct ph_colouring ph_colouring = {.parts = &ph_part_lighting,
+                                          .is_coloured = is_coloured,
                                           .is_alike = is_alike,
                                           .vertex_colour = vertex_colour,
                                           .take_colours = take_colours,

@@ -6,22 +6,6 @@
 #include "edge.h"
 #include "fisheye.h"
 
-/* Lights the corners of a triangle, unless they are lit already. ph_cull may have marked them only. */
-PH_TIER(scenery) static void light_corners(const struct ph_part_context *c, const uint16_t index[3])
-{
-    for (int i = 0; c->lit && i < 3; i++) {
-        struct ph_vertex *const corner = &c->vertices[index[i]];
-        const unsigned code = __atomic_load_n(&corner->code, __ATOMIC_ACQUIRE), lit = ph_light_of(corner);
-        if (code >= PH_LIT && lit != 0) {
-            continue;
-        }
-        const uint16_t light =
-            ph_vertex_light(c, index[i]); /* both cores may compute and write this light: it is the same */
-        __atomic_store_n(&corner->light, light, __ATOMIC_RELAXED);
-        __atomic_store_n(&corner->code, (uint8_t)(code | PH_LIT), __ATOMIC_RELEASE);
-    }
-}
-
 PH_TIER(few) struct ph_clip_vertex ph_mesh_vertex(const struct ph_part_context *c, uint32_t index)
 {
     struct ph_clip_vertex v = ph_clip_place(&c->r->lens, c->matrix, &c->mesh->positions[index]);
@@ -36,7 +20,9 @@ PH_TIER(few) struct ph_clip_vertex ph_mesh_vertex(const struct ph_part_context *
 PH_TIER(few) static PH_NOINLINE void draw_clipped(const struct ph_part_context *c, const uint16_t index[3])
 {
     struct ph_clip_vertex in[3];
-    light_corners(c, index);
+    if (c->lit) {
+        c->parts->light_corners(c, index);
+    }
     for (int i = 0; i < 3; i++) {
         in[i] = ph_mesh_vertex(c, index[i]);
     }
@@ -65,8 +51,8 @@ PH_NOINLINE bool ph_draw_any(const struct ph_part_context *c, const uint16_t ind
         return true;
     }
     const bool seen = ph_list_triangle(c->r, index, v, c->two_sided);
-    if (seen) {
-        light_corners(c, index);
+    if (seen && c->lit) {
+        c->parts->light_corners(c, index);
     }
     return seen;
 }

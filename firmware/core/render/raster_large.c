@@ -3,7 +3,7 @@
 #include "raster_large.h"
 
 #include "colours.h"
-#include "raster_rows.h"
+#include "gouraud.h"
 #include "raster_walk.h"
 #include "shading.h"
 #include "tier.h"
@@ -12,7 +12,7 @@ PH_TIER(loop) uint32_t ph_draw_large(const struct ph_triangle *t, const struct p
 {
     const bool in_codes = t->block != PH_BLOCK_LINEAR && !band->depth24;
     if (t->kind == PH_KIND_GOURAUD && in_codes) {
-        return ph_draw_long(t, band);
+        return t->material->shading->gouraud->draw_long(t, band);
     }
     return t->kind == PH_KIND_TEXTURE   ? t->material->shading->texturing.draw_textured(t, band)
            : t->kind == PH_KIND_COLOURS ? band->colouring->draw_colours(t, band)

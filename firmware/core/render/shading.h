@@ -11,7 +11,9 @@
 #include "triangle.h"
 
 struct ph_band;
+struct ph_gouraud;
 struct ph_part_context;
+struct ph_part_lighting;
 struct ph_plane_base;
 struct ph_row_piece;
 struct ph_setting;
@@ -23,6 +25,7 @@ struct ph_lighting {
                           const struct ph_material *material, bool coloured);
     uint16_t (*light_vertex)(const struct ph_local_lights *local, const int16_t normal[3],
                              const struct fx_vec3 *position);
+    const struct ph_part_lighting *parts; /* mesh.h */
 };
 
 /* Takes pixels from a texture; all are NULL in a shading without. */
@@ -49,6 +52,7 @@ struct ph_shading {
     uint8_t corners;                                     /* enum ph_lit_corners */
     void (*draw_edges)(const struct ph_part_context *c); /* edges, no triangles; NULL: triangles */
     const struct ph_lighting *lighting;                  /* NULL: PH_NO_CORNER */
+    const struct ph_gouraud *gouraud;                    /* PH_EACH_CORNER without a texture; else NULL */
     struct ph_texturing texturing;
     const struct ph_shading *texels; /* with a texture: the one that shows its texels without light */
 };

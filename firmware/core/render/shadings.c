@@ -1,13 +1,15 @@
 /* The shadings that a material may name. See shading.h, render.h. */
 #include "shading.h"
 
+#include "gouraud.h"
 #include "mesh.h"
 #include "planes.h"
 #include "small_texels.h"
 #include "texels.h"
 #include "texture.h"
 
-static const struct ph_lighting lighting = {.light_prepare = ph_light_prepare, .light_vertex = ph_light_vertex};
+static const struct ph_lighting lighting = {
+    .light_prepare = ph_light_prepare, .light_vertex = ph_light_vertex, .parts = &ph_part_lighting};
 
 #define TEXTURING                                                                                                      \
     {                                                                                                                  \
@@ -17,7 +19,7 @@ static const struct ph_lighting lighting = {.light_prepare = ph_light_prepare, .
     }
 
 const struct ph_shading ph_shade_flat = {.corners = PH_FIRST_CORNER, .lighting = &lighting};
-const struct ph_shading ph_shade_gouraud = {.corners = PH_EACH_CORNER, .lighting = &lighting};
+const struct ph_shading ph_shade_gouraud = {.corners = PH_EACH_CORNER, .lighting = &lighting, .gouraud = &ph_gouraud};
 const struct ph_shading ph_shade_wire = {.draw_edges = ph_draw_edges};
 const struct ph_shading ph_shade_texture = {.texturing = TEXTURING, .texels = &ph_shade_texture};
 const struct ph_shading ph_shade_texture_lit = {

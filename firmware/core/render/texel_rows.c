@@ -26,8 +26,8 @@ static inline uint32_t light_of(uint32_t light)
 /* The texel at u, v in its light, or filtered. */
 static PH_NOINLINE uint16_t sample_lit_or_smooth(const struct ph_tile_kind *k, uint32_t u, uint32_t v, uint32_t light)
 {
-    const uint16_t texel = k->filter != NULL ? k->filter->texel(k, u, v)
-                                             : ph_texel_in(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
+    const uint16_t texel =
+        k->texel != NULL ? k->texel(k, u, v) : ph_texel_in(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
     return k->lit ? shade(texel, light_of(light)) : texel;
 }
 
@@ -39,7 +39,7 @@ static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph
     const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
     uint32_t u = ph_texel_at(&r->u, i), du = r->u.step + i * ddu + r->u.bend;
     uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend;
-    const bool lit_or_smooth = k->lit || k->filter != NULL, depth24 = k->depth24;
+    const bool lit_or_filtered = k->lit_or_filtered, depth24 = k->depth24;
     const bool linear = k->triangle->block == PH_BLOCK_LINEAR;
     const struct ph_depth *const plane = &k->triangle->as.large.depth;
     uint16_t *pixel = r->row.pixels + i;
@@ -48,7 +48,7 @@ static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph
         const uint32_t d = linear ? ph_depth_linear(&plane->over_w.linear, piece.d) : piece.d;
         if (depth24 ? ph_nearer24(depth, d) : ph_nearer16(depth, d)) {
             *pixel =
-                lit_or_smooth
+                lit_or_filtered
                     ? sample_lit_or_smooth(k, u, v, r->row.light + (uint32_t)(pixel - r->row.pixels) * r->row.glight)
                     : ph_texel_in(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
         }
@@ -211,7 +211,8 @@ void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, u
     if (k->lit && set_row_light(row, light, glight) > 32) {
         draw_shining_row(row, k->filter);
     } else {
-        ph_row_kernel(k->filter, k->lit)(row);
+        ph_texel_row_kernel *const draw_row = ph_row_kernel(k->filter, k->lit);
+        draw_row(row);
     }
 }
 
@@ -256,7 +257,7 @@ PH_TIER(scenery) static void draw_general_row(const struct ph_tile_kind *k, stru
 PH_TIER(scenery) void ph_draw_fast_rows(const struct ph_tile_kind *k, struct ph_tile_rows *r)
 {
     while (r->row.rows > 0) {
-        if (!k->lit && k->filter == NULL) {
+        if (!k->lit_or_filtered) {
             ph_texture_tile(r);
         }
         if (r->row.rows > 0) {

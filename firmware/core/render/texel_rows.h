@@ -15,11 +15,13 @@ struct ph_tile_kind {
     uint32_t u_mask, v_mask, log2_width;
     int u_down, v_down; /* from u, v to whole texels */
     bool lit;           /* light is not full everywhere */
+    bool lit_or_filtered;
     bool clamp;
     bool depth24;                   /* as in struct ph_band */
     bool fast;                      /* ph_texture_tile can draw them */
     int32_t from, end;              /* columns of the picture, as the tile's columns count */
-    const struct ph_filter *filter; /* NULL: nearest texels */
+    const struct ph_filter *filter; /* NULL: nearest texels; and its `texel`, which is read for each pixel */
+    uint16_t (*texel)(const struct ph_tile_kind *k, uint32_t u, uint32_t v);
 };
 
 /* Whether light changes texels. */
@@ -46,6 +48,8 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_tile_rows
     k->log2_width = map->log2_width;
     k->lit = ph_is_lit(light);
     k->filter = map->filter;
+    k->texel = map->filter != NULL ? map->filter->texel : NULL;
+    k->lit_or_filtered = k->lit || map->filter != NULL;
     r->row.v_mask = k->v_mask << width;
     r->u_outside = r->v_outside = 0;
     if (k->fast) {
