@@ -229,8 +229,8 @@ static void begin(struct blend_pass *o, const struct ph_draw *draw)
     ph_setting_of(&o->setting, o->r, draw);
     const bool by_colour = o->blend->kind == PH_BLEND_KEY;
     o->has_keys = by_colour ? ph_is_textured(material) : o->blend->alphas != NULL;
-    o->same_keys = o->has_keys && by_colour && ph_lit_corners_of(material) == PH_NO_CORNER &&
-                   material->texture->filter == NULL;
+    o->same_keys =
+        o->has_keys && by_colour && ph_lit_corners_of(material) == PH_NO_CORNER && material->texture->filter == NULL;
     if (o->has_keys && !o->same_keys) {
         o->key_material = *material;
         o->key_material.shading = ph_texels_of_blend(material);
