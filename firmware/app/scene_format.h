@@ -3,17 +3,23 @@
  * offsets from the head's first byte, all 4-byte aligned. Numbers are of little endian, colours in wire order.
  *
  * scene_file_wrong() refuses what cannot be drawn or cannot be meant. What follows is allowed, and drawn like this:
- *   vertex_max, triangle_max   a wish. Too low: what has no room is left out and counted. Too high: the image says that
- * it needs more memory, and shows its demos SCENE_FILE_BARE            says nothing beside SCENE_FILE_CAMERA; a camera
- * without that flag is not looked at a mesh without triangles, a triangle with equal corners or without area covers no
- * pixel vertices that no triangle names, data that meshes share, bytes that nothing names      no harm positions far
- * away         saturate, and are clipped normals                    of length 0: ambient light only; of another length
- * than 16384: darker or brighter uvs outside of 0 .. 1      as the texture's wrap says alpha 0 nothing of the mesh
- * shows SCENE_FILE_MIPMAP without levels     has its one level a clip of 0 s              stands at its beginning; keys
- * behind the duration are never reached a track without keys       moves nothing; of two tracks for one property the
- * later one counts times that are equal       a jump keys of rotations          of any length; 0 is no rotation weights
- * of targets         of any size; -8 .. 8 counts places of the rig and of joints     may scale, mirror and shear; what
- * leaves Q16.16 saturates a motion that no mesh follows       nothing moves
+ *
+ * - vertex_max, triangle_max are a wish. Too low: what has no room is left out and counted. Too high: the image says
+ *   that it needs more memory, and shows its demos.
+ * - SCENE_FILE_BARE says nothing beside SCENE_FILE_CAMERA; a camera without that flag is not looked at.
+ * - A mesh without triangles, a triangle with equal corners or without area cover no pixel.
+ * - Vertices that no triangle names, data that meshes share, bytes that nothing names do no harm.
+ * - Positions far away saturate, and are clipped.
+ * - Normals of length 0 have ambient light only; those of another length than 16384 are darker or brighter.
+ * - Texture coordinates outside of 0 .. 1 are taken as the texture's wrap says.
+ * - With alpha 0 nothing of the mesh shows.
+ * - SCENE_FILE_MIPMAP without levels has its one level.
+ * - A clip of 0 s stands at its beginning; keys behind the duration are never reached.
+ * - A track without keys moves nothing; of two tracks for one property the later one counts.
+ * - Two keys with the same time are a jump. Keys of rotations may have any length; 0 is no rotation.
+ * - Weights of targets may have any size; -8 .. 8 counts.
+ * - Places of the rig and of joints may scale, mirror and shear; what leaves Q16.16 saturates.
+ * - A motion that no mesh follows moves nothing.
  */
 #ifndef SCENE_FORMAT_H
 #define SCENE_FORMAT_H
