@@ -195,6 +195,7 @@ static void draw(const struct demo *demo, struct demo_context *context)
                                      .height = HEIGHT,
                                      .band_height = BAND,
                                      .depth_format = PH_DEPTH_AUTO,
+                                     .colouring = PH_COLOURS,
                                      .vertices = vertices,
                                      .vertex_max = VERTICES,
                                      .triangles = triangles,
