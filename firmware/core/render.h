@@ -302,8 +302,8 @@ extern const struct ph_depth_format ph_depth_auto;
 PH_DEPTH_EACH(PH_DEPTH_DECLARED)
 
 /* AUTO and all formats, for programs that take one by its name: whoever names this table links them all. */
-#define PH_DEPTH_COUNTED(id, name, coding, bits, octaves, small) +1
-#define PH_DEPTH_FORMATS                                         (1 PH_DEPTH_EACH(PH_DEPTH_COUNTED))
+#define PH_DEPTH_NUMBERED(id, name, coding, bits, octaves, small) PH_DEPTH_NUMBER_##id,
+enum { PH_DEPTH_NUMBER_AUTO, PH_DEPTH_EACH(PH_DEPTH_NUMBERED) PH_DEPTH_FORMATS };
 extern const struct ph_depth_format *const ph_depth_formats[PH_DEPTH_FORMATS];
 
 /* Bytes of the depth buffer per pixel: 4 with codes of 24 bits, else 2. */

@@ -126,9 +126,9 @@ static void pairs_are_counted_as_all_pairs_are(void **state)
         }
         assert_int_equal(lab_pairs(&lab), 0);
         assert_int_equal(calls, 17);
-        assert_int_equal(atoi(cell(1, 6)), equal);
-        assert_int_equal(atoi(cell(1, 7)), swap);
-        assert_true(fabs(atof(cell(1, 8)) * 65536 - widest) < .01);
+        assert_int_equal(strtol(cell(1, 6), NULL, 10), equal);
+        assert_int_equal(strtol(cell(1, 7), NULL, 10), swap);
+        assert_true(fabs(strtod(cell(1, 8), NULL) * 65536 - widest) < .01);
     }
 }
 
@@ -200,7 +200,7 @@ static double ideal(const struct lab_format *f, double n, double far, double z)
 
 static void is_near(const char *number, double want, double part)
 {
-    if (!(fabs(atof(number) - want) <= part * want)) {
+    if (!(fabs(strtod(number, NULL) - want) <= part * want)) {
         fail_msg("%s, not %.9g:\n%s", number, want, text);
     }
 }

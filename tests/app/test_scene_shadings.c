@@ -90,7 +90,7 @@ static void scenes_in_the_listed_shadings_are_taken(void **state)
 static void a_scene_that_needs_another_shading_is_refused_with_its_name(void **state)
 {
     (void)state;
-    for (uint8_t i = 0; i < SCENE_FILE_SHADINGS; i++) {
+    for (uint8_t i = 0; i < (uint8_t)SCENE_FILE_SHADINGS; i++) {
         const char *const lacks = scene_file_shadings[i].lacks;
         if (lacks != NULL) {
             make(SCENE_FILE_GOURAUD, i);

@@ -146,7 +146,7 @@ static uint32_t drawn_behind(struct ph_triangle t)
     static const struct ph_material none;
     static uint16_t pixels[16 * WIDTH], codes[16 * WIDTH];
     struct ph_coarse coarse = {.count = 0, .occlusion = PH_COARSE_DEPTH};
-    const struct ph_band band = {pixels, codes, false, WIDTH, 0, 16, WIDTH, &coarse, PH_DEPTH_FIXED16->ways};
+    const struct ph_band band = {pixels, codes, false, WIDTH, 0, 16, WIDTH, &coarse, PH_DEPTH_FIXED16->ways, NULL};
     struct ph_triangle left = wall(-5, 100, 0, 1 << 16, 2000u << 16), right = wall(100, 330, 1 << 16, 0, 1990u << 16);
     left.material = right.material = t.material = &none;
     memset(codes, 0, sizeof codes);

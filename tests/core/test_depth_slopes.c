@@ -634,7 +634,7 @@ static void compare_alone(const struct rig *rig, const struct ph_triangle *t, co
     static uint32_t depth24[WIDTH * HEIGHT];
     const bool is_24 = ph_depth_bytes(rig->r.stats.depth_format) == 4;
     const struct ph_band band = {
-        pixels, is_24 ? (void *)depth24 : depth16, is_24, WIDTH, 0, HEIGHT, WIDTH, NULL, ph_depth_ways(&rig->r)};
+        pixels, is_24 ? (void *)depth24 : depth16, is_24, WIDTH, 0, HEIGHT, WIDTH, NULL, ph_depth_ways(&rig->r), NULL};
     memset(depth16, 0, sizeof depth16);
     memset(depth24, 0, sizeof depth24);
     found->pixels += ph_draw_triangle(t, &band);

@@ -69,7 +69,7 @@ static void a_long_script_is_fed_whole_or_not_at_all(void **state)
     memset(script, 'x', LONG), script[LONG] = '\0';
     play("wc -c");
     assert_int_equal(run(script), 0);
-    assert_int_equal(atoi(picture), LONG);
+    assert_int_equal(strtol(picture, NULL, 10), LONG);
     free(picture);
     play("exec 0<&-; echo gone");
     assert_int_equal(run(script), 0);
