@@ -34,7 +34,7 @@ runs() { # list, board and variables of make
         timeout 300 build/pinhole-sim --board "${words[0]}" --demo testcard --frames 1 --crc
     else
         make -s -j2 firmware BOARD="${words[0]}" "${words[@]:1}" || return "$NOT_BUILT"
-        EVENTS_ONLY=1 timeout 900 make -s emulate BOARD="${words[0]}" "${words[@]:1}" FRAMES=2
+        EVENTS_ONLY=1 timeout 300 make -s emulate BOARD="${words[0]}" "${words[@]:1}" FRAMES=2
     fi
 }
 
