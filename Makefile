@@ -32,6 +32,8 @@ ASSIMP ?= $(if $(call have,assimp),assimp,noassimp)
 PNG ?= $(if $(call have,libpng),png,nopng)
 JPEG ?= $(if $(and $(filter png,$(PNG)),$(call have,libjpeg)),jpeg,nojpeg)
 JPEG := $(JPEG)
+WEBP ?= $(if $(and $(filter png,$(PNG)),$(call have,libwebp)),webp,nowebp)
+WEBP := $(WEBP)
 GIF ?= $(if $(wildcard /usr/include/gif_lib.h /usr/local/include/gif_lib.h),gif,nogif)
 GIF := $(GIF)
 SDL ?= $(if $(call have,sdl2),sdl,nosdl)
@@ -51,7 +53,7 @@ MESHOPT ?= $(if $(wildcard /usr/include/meshoptimizer.h /usr/local/include/mesho
 MESHOPT := $(MESHOPT)
 SPIDEV := $(shell $(CC) $(CPPFLAGS) $(CFLAGS) -E -include linux/spi/spidev.h -x c /dev/null >/dev/null 2>&1 && echo y)
 SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
-            $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) $(if $(filter jpeg,$(JPEG)),$(shell pkg-config --libs libjpeg)) \
+            $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) $(if $(filter jpeg,$(JPEG)),$(shell pkg-config --libs libjpeg)) $(if $(filter webp,$(WEBP)),$(shell pkg-config --libs libwebp)) \
             $(if $(filter meshopt,$(MESHOPT)),-lmeshoptimizer) \
             $(if $(filter gif,$(GIF)),-lgif) \
             $(if $(filter sdl,$(SDL)),$(shell pkg-config --libs sdl2)) \
@@ -89,7 +91,7 @@ $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DI
 # host-sim has one room a program, and common/ and controllers/ for all; a program's main() is in its pinhole_*.c.
 MAINS := $(wildcard host-sim/*/pinhole_*.c)
 ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
-HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/formats model/gltf model/$(ASSIMP) picture/$(PNG) picture/$(JPEG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
+HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/formats model/gltf model/$(ASSIMP) model/$(MESHOPT) picture/$(PNG) picture/$(JPEG) picture/$(WEBP) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
 # emulate/ has a room a chip. Those of the RP2040 and RP2350 are programs; what chips take as accesses to their registers is for tests, too.
 REGISTERS := $(wildcard host-sim/emulate/registers/registers.c)
 HOST := $(filter-out $(MAINS),$(HOST)) $(REGISTERS) $(wildcard host-sim/emulate/*/registers_table.c host-sim/emulate/*/emulate_*.c)

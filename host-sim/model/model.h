@@ -96,7 +96,7 @@ struct model_options {
      "y or z",                                                                                                         \
      .at = offsetof(options, member.up),                                                                               \
      .words = "y|z"},                                                                                                  \
-        {"texture", "FILE", "a picture for all of the model that has texture coordinates", "a PNG or JPEG file",       \
+        {"texture", "FILE", "a picture for all of the model that has texture coordinates", "a PNG, JPEG or WebP file", \
          .at = offsetof(options, member.texture)},                                                                     \
         {"filter",                                                                                                     \
          "NAME",                                                                                                       \

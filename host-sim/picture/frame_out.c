@@ -257,7 +257,7 @@ int frame_out_load(const char *path, uint32_t most_pixels, struct ppm *picture)
         return too_large(path, in.width, in.height, most_pixels);
     }
     if (status == PH_ERR_INVAL) {
-        return complain("%s: is neither a binary PPM (P6) nor a PNG or JPEG that can be read", path);
+        return complain("%s: is neither a binary PPM (P6) nor a PNG, JPEG or WebP picture that can be read", path);
     }
     return status == 0 ? 0 : complain("%s: cannot be read: %s", path, strerror(-status));
 }

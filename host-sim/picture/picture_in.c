@@ -94,22 +94,36 @@ void picture_in_free(struct picture_in *in)
     in->sums = NULL;
 }
 
+/* The reader of a kind of file, which begins with `magic`, at byte `at`. */
+static const struct kind {
+    const char *magic;
+    size_t magic_n, at;
+    bool (*read)(struct picture_in *in, const void *bytes, size_t n);
+    const char *reason;
+} kinds[] = {{"\x89PNG", 4, 0, png_in_memory, png_in_reason},
+             {"\xFF\xD8", 2, 0, jpeg_in_memory, jpeg_in_reason},
+             {"WEBP", 4, 8, webp_in_memory, webp_in_reason}};
+
 const char *picture_in_memory(struct picture_in *in, const void *bytes, size_t n)
 {
-    const bool is_png = n >= 4 && memcmp(bytes, "\x89PNG", 4) == 0;
-    if (!is_png && (n < 2 || memcmp(bytes, "\xFF\xD8", 2) != 0)) {
-        return "is neither a PNG nor a JPEG";
+    const struct kind *kind = kinds, *const end = kinds + sizeof kinds / sizeof kinds[0];
+    while (kind < end &&
+           (n < kind->at + kind->magic_n || memcmp((const char *)bytes + kind->at, kind->magic, kind->magic_n) != 0)) {
+        kind++;
+    }
+    if (kind == end) {
+        return "is no PNG, JPEG or WebP picture";
     }
     in->picture.rgb = NULL;
     in->alpha = NULL;
     in->sums = NULL;
     in->why = NULL;
-    if ((is_png ? png_in_memory : jpeg_in_memory)(in, bytes, n)) {
+    if (kind->read(in, bytes, n)) {
         picture_in_end(in);
         return NULL;
     }
     picture_in_free(in);
-    return in->why != NULL ? in->why : is_png ? png_in_reason : jpeg_in_reason;
+    return in->why != NULL ? in->why : kind->reason;
 }
 
 const char *picture_in_file(struct picture_in *in, const char *path)

@@ -1,8 +1,9 @@
 /*
- * picture_in: PNG and JPEG pictures as RGB888, read row by row and shrunk as they are read: a picture of 16,000 x
+ * picture_in: PNG, JPEG and WebP pictures as RGB888, read row by row and shrunk as they are read: a picture of 16,000 x
  * 16,000 pixels takes the memory of the small one that is wanted. Embedded colour profiles are left out.
  *
- * png/ reads PNG with libpng, jpeg/ JPEG with libjpeg; nopng/ and nojpeg/ refuse them.
+ * png/ reads PNG with libpng, jpeg/ JPEG with libjpeg, webp/ WebP with libwebp, which needs memory for the whole
+ * picture; nopng/, nojpeg/ and nowebp/ refuse them.
  */
 #ifndef PICTURE_IN_H
 #define PICTURE_IN_H
@@ -42,6 +43,7 @@ void picture_in_end(struct picture_in *in);
 /* The readers. true, or false: in->why, or the reader's own reason. */
 bool png_in_memory(struct picture_in *in, const void *bytes, size_t n);
 bool jpeg_in_memory(struct picture_in *in, const void *bytes, size_t n);
-extern const char png_in_reason[], jpeg_in_reason[];
+bool webp_in_memory(struct picture_in *in, const void *bytes, size_t n);
+extern const char png_in_reason[], jpeg_in_reason[], webp_in_reason[];
 
 #endif

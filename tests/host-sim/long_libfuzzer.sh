@@ -14,7 +14,7 @@ time_s=${FUZZ_S:-120}
 
 echo 'int LLVMFuzzerTestOneInput(const char *d, long n); int LLVMFuzzerTestOneInput(const char *d, long n) { return n > 0 && *d > 200; }' >"$dir/probe.c"
 clang -fsanitize=fuzzer -o "$dir/probe" "$dir/probe.c" 2>/dev/null || { skip "libFuzzer finds nothing" "no clang with libFuzzer" && tap_end; }
-pkg-config --exists libpng libjpeg || { skip "libFuzzer finds nothing" "no libpng or libjpeg" && tap_end; }
+pkg-config --exists libpng libjpeg libwebp || { skip "libFuzzer finds nothing" "no libpng, libjpeg or libwebp" && tap_end; }
 
 compile() { # program, flags and files...
     clang -std=c11 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -DLIBFUZZER -Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards \
@@ -23,7 +23,7 @@ compile() { # program, flags and files...
 
 model=(-Ihost-sim/model -Ihost-sim/model/formats -Ihost-sim/model/gltf)
 sources=(host-sim/model/{gltf,formats}/*.c host-sim/model/model_{meshes,places,surface,shared,camera,folder,scene,rig,rig_clips,texture,weld,normals,polygon,text}.c
-    host-sim/picture/picture_in.c host-sim/picture/{png,jpeg}/*_in.c "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -lpng -ljpeg -lm)
+    host-sim/picture/picture_in.c host-sim/picture/{png,jpeg,webp}/*_in.c "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -Wl,--as-needed -lpng -ljpeg -lwebp $([ ! -e /usr/include/meshoptimizer.h ] || echo -lmeshoptimizer) -lm)
 build() { # what is not named here comes from the libraries, without sanitizers
     make -s -j2 B="$B" "$B/pinhole-sim" &&
         compile uf2 -Ihost-sim/flash -Itests/support tests/host-sim/fuzz_uf2.c tests/support/uf2_make.c host-sim/flash/flash_file.c host-sim/flash/flash_image.c host-sim/flash/flash_uf2.c firmware/app/crc32.c &&

@@ -16,7 +16,7 @@ make -s -j2 B="$B" "$asset" "$B"/pinhole-{sim,depth,emulate} || exit 1
 
 include="-Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards -I$B/boards_all -Ihost-sim/common -Ihost-sim/picture -Ihost-sim/asset -Ihost-sim/model -Ihost-sim/sim -Ihost-sim/controllers"
 strict='-std=c11 -Wall -Wextra -Wshadow -Wconversion -Wundef -Wcast-qual -Wpedantic -Werror'
-read -ra libraries < <({ for l in assimp libpng libjpeg sdl2 libgpiod libusb-1.0; do pkg-config --libs "$l" 2>/dev/null; done && { [ ! -e /usr/include/meshoptimizer.h ] || echo -lmeshoptimizer; } && { [ ! -e /usr/include/gif_lib.h ] || echo -lgif; }; } | xargs)
+read -ra libraries < <({ for l in assimp libpng libjpeg libwebp sdl2 libgpiod libusb-1.0; do pkg-config --libs "$l" 2>/dev/null; done && { [ ! -e /usr/include/meshoptimizer.h ] || echo -lmeshoptimizer; } && { [ ! -e /usr/include/gif_lib.h ] || echo -lgif; }; } | xargs)
 
 sphere() { # rings: smooth, 4 rings^2 triangles and some
     awk -v n="$1" 'BEGIN {

@@ -435,7 +435,7 @@ static void a_texture_and_two_sides_are_given_to_all(void **state)
 static void a_texture_that_cannot_be_used_leaves_the_colour_and_a_note(void **state)
 {
     static const char *const names[] = {"missing.png", "not.png", "photo.jpg", "half.png"};
-    static const char *const reasons[] = {"cannot be opened", "is neither a PNG nor a JPEG",
+    static const char *const reasons[] = {"cannot be opened", "is no PNG, JPEG or WebP picture",
                                           "is a JPEG that cannot be read", "is a PNG that"};
     (void)state;
     file_bytes("half.png", "\x89PNG\r\n\x1a\n", 8);

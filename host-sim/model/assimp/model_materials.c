@@ -32,7 +32,7 @@ static const char *load_picture(struct model_shared *shared, const struct aiScen
 {
     const struct aiTexture *embedded = find_embedded(scene, name);
     if (embedded != NULL) { /* a height of 0 marks a file in memory; its width is its bytes */
-        return embedded->mHeight != 0 ? "is raw: only PNG and JPEG are read"
+        return embedded->mHeight != 0 ? "is raw: only PNG, JPEG and WebP are read"
                                       : picture_in_memory(picture, embedded->pcData, embedded->mWidth);
     }
     char path[MODEL_PATH_BYTES];

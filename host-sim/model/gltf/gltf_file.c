@@ -1,6 +1,7 @@
 /* See gltf_file.h. Reads JSON, buffers and accessors, from files, chunks of a GLB and data: URIs. */
 #include "gltf_file.h"
 
+#include "gltf_meshopt.h"
 #include "model.h"
 #include "model_text.h"
 
@@ -171,11 +172,6 @@ static struct gltf_span read_buffer(struct gltf_file *file, uint32_t i)
         gltf_file_failed(file, "buffer %u is missing, or has no length", i);
         return none();
     }
-    const struct gltf_json *extensions = gltf_json_get(buffer, "extensions");
-    if (uri == NULL && gltf_json_get(extensions, "EXT_meshopt_compression") != NULL) {
-        gltf_file_failed(file, "it is compressed (EXT_meshopt_compression), which is not read: export it without");
-        return none();
-    }
     if (file->buffers[i].bytes == NULL) {
         const char *const text = gltf_json_text(uri);
         file->buffers[i] = text != NULL ? gltf_file_uri(file, text) : i == 0 ? file->glb : none();
@@ -187,16 +183,66 @@ static struct gltf_span read_buffer(struct gltf_file *file, uint32_t i)
     return (struct gltf_span){file->buffers[i].bytes, length};
 }
 
-struct gltf_span gltf_file_view(struct gltf_file *file, uint32_t view)
+/* The bytes of a buffer that an object names by buffer, byteOffset and byteLength. */
+static struct gltf_span part_of_buffer(struct gltf_file *file, const struct gltf_json *from, uint32_t view)
 {
-    const struct gltf_json *item = gltf_file_item(file, GLTF_VIEWS, view);
-    const struct gltf_span buffer = read_buffer(file, gltf_file_whole(item, "buffer", GLTF_NONE));
-    const uint32_t offset = gltf_file_whole(item, "byteOffset", 0), n = gltf_file_whole(item, "byteLength", GLTF_NONE);
+    const struct gltf_span buffer = read_buffer(file, gltf_file_whole(from, "buffer", GLTF_NONE));
+    const uint32_t offset = gltf_file_whole(from, "byteOffset", 0), n = gltf_file_whole(from, "byteLength", GLTF_NONE);
     if (buffer.bytes == NULL || n > buffer.n || offset > buffer.n - n) {
         gltf_file_failed(file, "bufferView %u is not inside a buffer", view);
         return none();
     }
     return (struct gltf_span){buffer.bytes + offset, n};
+}
+
+/* The number of a name in a list of n, the first where nothing is said; n: it is another. */
+static unsigned name_in(const struct gltf_json *said, const char *const *names, unsigned n)
+{
+    unsigned i = 0;
+    while (said != NULL && i < n && (gltf_json_text(said) == NULL || strcmp(gltf_json_text(said), names[i]) != 0)) {
+        i++;
+    }
+    return i;
+}
+
+static struct gltf_span unpack(struct gltf_file *file, const struct gltf_json *from, uint32_t view)
+{
+    static const char *const modes[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
+    static const char *const filters[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
+    const struct gltf_span packed = part_of_buffer(file, from, view);
+    const struct gltf_meshopt_view how = {
+        .count = gltf_file_whole(from, "count", 0),
+        .stride = gltf_file_whole(from, "byteStride", 0),
+        .mode = name_in(gltf_json_get(from, "mode"), modes, GLTF_MESHOPT_MODES),
+        .filter = name_in(gltf_json_get(from, "filter"), filters, GLTF_MESHOPT_FILTERS),
+    };
+    const uint64_t n = (uint64_t)how.count * how.stride;
+    uint8_t *bytes = packed.bytes != NULL && n > 0 && n <= MODEL_FILE_MAX ? malloc(n) : NULL;
+    const char *why = bytes == NULL ? "is too large"
+                      : how.mode == GLTF_MESHOPT_MODES || how.filter == GLTF_MESHOPT_FILTERS
+                          ? "is compressed in a way that is not known"
+                          : gltf_meshopt_unpack(&how, packed.bytes, packed.n, bytes);
+    if (why != NULL) {
+        free(bytes);
+        gltf_file_failed(file, "bufferView %u %s", view, why);
+        return none();
+    }
+    return (struct gltf_span){bytes, n};
+}
+
+struct gltf_span gltf_file_view(struct gltf_file *file, uint32_t view)
+{
+    const struct gltf_json *item = gltf_file_item(file, GLTF_VIEWS, view);
+    const struct gltf_json *extensions = gltf_json_get(item, "extensions");
+    const struct gltf_json *draft = gltf_json_get(extensions, "EXT_meshopt_compression"),
+                           *packed = draft != NULL ? draft : gltf_json_get(extensions, "KHR_meshopt_compression");
+    if (packed == NULL) {
+        return part_of_buffer(file, item, view);
+    }
+    if (file->unpacked[view].bytes == NULL) {
+        file->unpacked[view] = unpack(file, packed, view);
+    }
+    return file->unpacked[view];
 }
 
 /* ---- accessors --------------------------------------------------------------------------------------------------- */
@@ -364,14 +410,17 @@ static bool find_lists(struct gltf_file *file)
         }
     }
     file->buffers = calloc(file->lists[GLTF_BUFFERS].count + 1, sizeof *file->buffers);
-    return file->buffers != NULL || gltf_file_failed(file, "it needs too much memory");
+    file->unpacked = calloc(file->lists[GLTF_VIEWS].count + 1, sizeof *file->unpacked);
+    return (file->buffers != NULL && file->unpacked != NULL) || gltf_file_failed(file, "it needs too much memory");
 }
 
 /* What a file may ask for: without these the model would be something else. */
 static bool check_required(struct gltf_file *file)
 {
-    static const char *const known[] = {"KHR_texture_transform", "KHR_materials_unlit", "KHR_mesh_quantization",
-                                        "KHR_lights_punctual"};
+    static const char *const known[] = {"KHR_texture_transform",   "KHR_materials_unlit",
+                                        "KHR_mesh_quantization",   "KHR_lights_punctual",
+                                        "EXT_meshopt_compression", "KHR_meshopt_compression",
+                                        "EXT_texture_webp",        "KHR_materials_pbrSpecularGlossiness"};
     const struct gltf_json *item, *list = gltf_json_get(file->json, "extensionsRequired");
     GLTF_JSON_EACH(item, list)
     {

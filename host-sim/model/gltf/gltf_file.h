@@ -46,8 +46,9 @@ struct gltf_file {
         const struct gltf_json **items;
         uint32_t count;
     } lists[GLTF_LISTS];
-    struct gltf_span *buffers; /* read when first asked for */
-    char error[160];           /* why a call failed */
+    struct gltf_span *buffers;  /* read when first asked for */
+    struct gltf_span *unpacked; /* views that were compressed */
+    char error[160];            /* why a call failed */
 };
 
 #define GLTF_NONE      UINT32_MAX

@@ -87,7 +87,8 @@ static bool mirror(struct picture_in *in, int along)
 static const char *load_picture(struct gltf_file *file, uint32_t number, struct model_surface *to)
 {
     const struct gltf_json *texture = gltf_file_item(file, GLTF_TEXTURES, number);
-    const uint32_t i = gltf_file_whole(texture, "source", GLTF_NONE);
+    const struct gltf_json *webp = gltf_json_get(gltf_json_get(texture, "extensions"), "EXT_texture_webp");
+    const uint32_t i = gltf_file_whole(texture, "source", gltf_file_whole(webp, "source", GLTF_NONE));
     const struct gltf_json *image = gltf_file_item(file, GLTF_IMAGES, i);
     const char *uri = gltf_json_text(gltf_json_get(image, "uri"));
     const char *name = gltf_json_text(gltf_json_get(image, "name"));
@@ -217,16 +218,18 @@ static void read_glow(struct model_shared *shared, struct gltf_file *file, const
     }
 }
 
-/* Reads the pictures of a material. What emits light by a picture and is black otherwise is that picture, unlit. */
+/* Reads the pictures of a material, `base` that of its colour. What emits light by a picture and is black otherwise is
+ * that picture, unlit. */
 static void read_pictures(struct model_shared *shared, struct gltf_file *file, const struct gltf_json *from,
-                          const double factor[4], double glow[3], struct model_surface *to, struct model_gltf_uv *uv)
+                          const struct gltf_json *base, double glow[3], struct model_surface *to,
+                          struct model_gltf_uv *uv)
 {
-    const struct gltf_json *pbr = gltf_json_get(from, "pbrMetallicRoughness");
+    const double *factor = uv->factor;
     const struct gltf_json *emissive = gltf_json_get(from, "emissiveTexture");
     const bool glows = emissive != NULL && glow[0] + glow[1] + glow[2] > 0 && !to->is_unlit;
     const bool is_black = factor[0] + factor[1] + factor[2] == 0;
     if (!glows || !is_black) {
-        read_texture(shared, file, gltf_json_get(pbr, "baseColorTexture"), factor, to, uv);
+        read_texture(shared, file, base, factor, to, uv);
     }
     if (!glows) {
         return;
@@ -241,10 +244,31 @@ static void read_pictures(struct model_shared *shared, struct gltf_file *file, c
     }
 }
 
+/* Whether an extension is read, or changes how a surface shines and no more. */
+static bool is_silent(const char *extension)
+{
+    static const char *const names[] = {"unlit",
+                                        "emissive_strength",
+                                        "pbrSpecularGlossiness",
+                                        "anisotropy",
+                                        "clearcoat",
+                                        "dispersion",
+                                        "ior",
+                                        "iridescence",
+                                        "sheen",
+                                        "specular",
+                                        "volume" /* beside transmission, which is not silent */};
+    static const char all[] = "KHR_materials_";
+    bool is_one = false;
+    for (size_t i = 0; i < sizeof names / sizeof names[0] && strncmp(extension, all, sizeof all - 1) == 0; i++) {
+        is_one = is_one || strcmp(extension + sizeof all - 1, names[i]) == 0;
+    }
+    return is_one;
+}
+
 /* Says what the material asks for and does not get: each kind once. */
 static void note_ignored(struct model_shared *shared, const struct gltf_json *from)
 {
-    static const char *const read[] = {"KHR_materials_unlit", "KHR_materials_emissive_strength"};
     const struct gltf_json *pbr = gltf_json_get(from, "pbrMetallicRoughness"), *extension;
     if (gltf_json_get(from, "normalTexture") != NULL) {
         model_shared_note(shared, "normal maps are ignored");
@@ -257,9 +281,8 @@ static void note_ignored(struct model_shared *shared, const struct gltf_json *fr
     }
     GLTF_JSON_EACH(extension, gltf_json_get(from, "extensions"))
     {
-        const char *name = extension->key;
-        if (name != NULL && strcmp(name, read[0]) != 0 && strcmp(name, read[1]) != 0) {
-            model_shared_note(shared, "%.60s is ignored", name);
+        if (extension->key != NULL && !is_silent(extension->key)) {
+            model_shared_note(shared, "%.60s is ignored", extension->key);
         }
     }
 }
@@ -278,11 +301,13 @@ static bool read_material(struct model_shared *shared, struct gltf_file *file, c
 {
     const struct gltf_json *pbr = gltf_json_get(from, "pbrMetallicRoughness");
     const struct gltf_json *extensions = gltf_json_get(from, "extensions");
+    const struct gltf_json *gloss = gltf_json_get(extensions, "KHR_materials_pbrSpecularGlossiness");
     const struct gltf_json *strength = gltf_json_get(extensions, "KHR_materials_emissive_strength");
     const double times = gltf_file_number(strength, "emissiveStrength", 1);
     double *factor = uv->factor, glow[3] = {0, 0, 0};
     note_ignored(shared, from);
     gltf_file_vector(pbr, "baseColorFactor", 4, factor);
+    gltf_file_vector(gloss, "diffuseFactor", 4, factor);
     gltf_file_vector(from, "emissiveFactor", 3, glow);
     struct model_surface surface = {.two_sided = gltf_json_is(gltf_json_get(from, "doubleSided"), GLTF_JSON_TRUE),
                                     .is_unlit = gltf_json_get(extensions, "KHR_materials_unlit") != NULL,
@@ -292,7 +317,9 @@ static bool read_material(struct model_shared *shared, struct gltf_file *file, c
     for (int c = 0; c < 3; c++) {
         glow[c] *= times;
     }
-    read_pictures(shared, file, from, factor, glow, &surface, uv);
+    const struct gltf_json *const base =
+        gloss != NULL ? gltf_json_get(gloss, "diffuseTexture") : gltf_json_get(pbr, "baseColorTexture");
+    read_pictures(shared, file, from, base, glow, &surface, uv);
     for (int c = 0; c < 3; c++) {
         surface.colour[c] = model_gltf_channel(factor[c]);
         surface.glow[c] = model_gltf_channel(glow[c]);

@@ -59,19 +59,23 @@ void picture_in_free(struct picture_in *in)
 /* Four pixels; the first is 128, 255, 0 with alpha 10, the second 1, 2, 3 with alpha 20. */
 static const uint8_t four[18] = {2, 2, 128, 255, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 30, 40};
 
-/* Reads materials; texture 0 is `four` with this sampler, texture 1 the same without, 2 has no image, 3 is broken. */
+/* Reads materials; texture 0 is `four` with this sampler, texture 1 the same without, 2 has no image, 3 is broken.
+ * 6 is `four` as a WebP picture, 7 the same with a broken PNG for readers that cannot read it. */
 static void read_file(const char *materials, const char *sampler)
 {
     static uint8_t arena[4096];
     char text[4096];
     char *const data = file_base64(four, sizeof four);
-    snprintf(text, sizeof text,
-             "{\"asset\":{\"version\":\"2.0\"},\"materials\":[%s],\"samplers\":[{%s}],\"textures\":[{\"source\":0,"
-             "\"sampler\":0},{\"source\":0},{\"source\":7},{\"source\":1},{\"source\":2},{\"source\":3}],\"images\":["
-             "{\"name\":\"four\",\"uri\":\"data:image/png;base64,%s\"},{\"uri\":\"data:image/png;base64,AAAA\"},"
-             "{\"uri\":\"none.png\"},{\"bufferView\":0}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":18}],"
-             "\"buffers\":[{\"byteLength\":18,\"uri\":\"data:;base64,%s\"}]}",
-             materials, sampler, data, data);
+    snprintf(
+        text, sizeof text,
+        "{\"asset\":{\"version\":\"2.0\"},\"materials\":[%s],\"samplers\":[{%s}],\"textures\":[{\"source\":0,"
+        "\"sampler\":0},{\"source\":0},{\"source\":7},{\"source\":1},{\"source\":2},{\"source\":3},{\"extensions\":"
+        "{\"EXT_texture_webp\":{\"source\":0}}},{\"source\":1,\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}],"
+        "\"images\":["
+        "{\"name\":\"four\",\"uri\":\"data:image/png;base64,%s\"},{\"uri\":\"data:image/png;base64,AAAA\"},"
+        "{\"uri\":\"none.png\"},{\"bufferView\":0}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":18}],"
+        "\"buffers\":[{\"byteLength\":18,\"uri\":\"data:;base64,%s\"}]}",
+        materials, sampler, data, data);
     free(data);
     shared = (struct model_shared){.arena = {.base = arena, .size = sizeof arena}};
     shared.folder.model = file_text("a.gltf", text);
@@ -274,14 +278,42 @@ static void a_glow_without_a_texture_brings_its_own_wrap_and_filter(void **state
     assert_null(got[0].glowing.picture.rgb);
 }
 
+static void a_picture_may_be_webp(void **state)
+{
+    (void)state;
+    read_one("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":6}}", "");
+    assert_non_null(got[0].picture.picture.rgb);
+    expect_three(got[0].picture.picture.rgb, 128, 255, 0);
+    assert_string_equal(shared.note, "");
+}
+
+/* KHR_materials_pbrSpecularGlossiness: its diffuse colour stands in place of the base colour, all of it. */
+static void a_diffuse_colour_is_the_base_colour(void **state)
+{
+    (void)state;
+    read_one("\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,1,1,1],\"baseColorTexture\":{\"index\":3}},"
+             "\"alphaMode\":\"BLEND\",\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{"
+             "\"diffuseFactor\":[0.5,0.01,1,0.25],\"diffuseTexture\":{\"index\":1}}}",
+             "");
+    expect_three(got[0].colour, 188, 25, 255);
+    assert_true(got[0].alpha == .25);
+    expect_three(got[0].picture.picture.rgb, 92, 25, 0);
+    assert_string_equal(shared.note, "");
+    read_one("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}},\"extensions\":{"
+             "\"KHR_materials_pbrSpecularGlossiness\":{}}",
+             "");
+    expect_three(got[0].colour, 255, 255, 255);
+    assert_null(got[0].picture.picture.rgb);
+}
+
 static void what_is_not_there_or_not_read_is_noted(void **state)
 {
     static const struct {
         const char *material, *note;
     } cases[] = {
         {"\"pbrMetallicRoughness\":{\"baseColorTexture\":{}}", "a material has a texture without an index"},
-        {"\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":6}}",
-         "a material names texture 6, and the file has 6"},
+        {"\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":8}}",
+         "a material names texture 8, and the file has 8"},
         {"\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":2}}",
          "texture 2 is left out: it names no image that the file has"},
         {"\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":3}}", "texture 1 is left out: it is broken"},
@@ -290,8 +322,13 @@ static void what_is_not_there_or_not_read_is_noted(void **state)
         {"\"normalTexture\":{}", "normal maps are ignored"},
         {"\"occlusionTexture\":{}", "occlusion maps are ignored"},
         {"\"pbrMetallicRoughness\":{\"metallicRoughnessTexture\":{}}", "maps of metal and roughness are ignored"},
+        {"\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":7}}", "texture 1 is left out: it is broken"},
         {"\"extensions\":{\"KHR_materials_unlit\":{},\"EXT_a\":{},\"KHR_materials_emissive_strength\":{},\"EXT_b\":{}}",
          "EXT_a is ignored; EXT_b is ignored"},
+        {"\"extensions\":{\"KHR_materials_volume\":{},\"KHR_materials_sheen\":{},\"KHR_materials_transmission\":{}}",
+         "KHR_materials_transmission is ignored"},
+        {"\"extensions\":{\"KHR_materials_anisotropy\":{},\"sheen\":{},\"KHR_materials_\":{}}",
+         "sheen is ignored; KHR_materials_ is ignored"},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -325,6 +362,8 @@ int main(void)
         cmocka_unit_test(a_sampler_gives_the_nearest_filter_that_there_is),
         cmocka_unit_test(a_glowing_picture_lies_on_the_coordinates_of_the_texture),
         cmocka_unit_test(a_glow_without_a_texture_brings_its_own_wrap_and_filter),
+        cmocka_unit_test(a_picture_may_be_webp),
+        cmocka_unit_test(a_diffuse_colour_is_the_base_colour),
         cmocka_unit_test(what_is_not_there_or_not_read_is_noted),
         cmocka_unit_test(each_material_has_its_place_and_without_memory_there_are_none),
     };

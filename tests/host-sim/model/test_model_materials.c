@@ -217,7 +217,7 @@ static void embedded_pictures_are_named_by_number_or_name(void **state)
     put_text(0, FILE_KEY, aiTextureType_DIFFUSE, "inside.png");
     read_first();
     assert_string_equal(loaded, "");
-    assert_string_equal(shared.note, "texture inside.png is left out: it is raw: only PNG and JPEG are read");
+    assert_string_equal(shared.note, "texture inside.png is left out: it is raw: only PNG, JPEG and WebP are read");
 }
 
 static void a_picture_that_is_none_is_left_out_and_told(void **state)

@@ -157,8 +157,9 @@ static void what_cannot_be_read_is_told(void **state)
     const int other = frame_out_load("x", 100, &back), none = frame_out_load("none", 100, &back);
     stderr_capture_end(&capture);
     assert_true(other == COMPLAINED && none == COMPLAINED);
-    assert_string_equal(capture.text, "pinhole: x: is neither a binary PPM (P6) nor a PNG or JPEG that can be read\n"
-                                      "pinhole: none: cannot be read: No such file or directory\n");
+    assert_string_equal(capture.text,
+                        "pinhole: x: is neither a binary PPM (P6) nor a PNG, JPEG or WebP picture that can be read\n"
+                        "pinhole: none: cannot be read: No such file or directory\n");
     struct frame_out out;
     assert_int_equal(open_out(&out, "x", false, 9, "x: cannot be used as a directory for frames: Not a directory"),
                      COMPLAINED);
