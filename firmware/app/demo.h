@@ -130,6 +130,9 @@ int demo_turntable_init(struct demo_context *context, const struct ph_mesh *mesh
                         struct fx_vec3 centre);
 int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
 
+/* What is not covered by the model, on the turntable or before an eye of its own, in wire order. */
+#define DEMO_MODEL_BACKGROUND ph_rgb565(20, 26, 38)
+
 /*
  * Any meshes, standing still, before an eye of their own, e.g. a model file's camera. The buttons move the eye around
  * the origin. lens is a perspective or an orthographic projection whose scales say what must at least be visible: half

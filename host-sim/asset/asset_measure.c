@@ -1,6 +1,7 @@
 /* asset: measures how much memory a model takes to draw, by drawing it from all sides (asset.h). */
 #include "asset.h"
 #include "complain.h"
+#include "model_stage.h"
 #include "runner.h"
 #include "scene_file.h"
 
@@ -11,12 +12,9 @@
 #define WORK        1000000u /* triangles in all, about */
 #define MESH_WORK   16       /* what a mesh costs before its first triangle, in triangles */
 
-/* A renderer with room for everything, and the scene. */
-struct stage {
-    struct demo demo;
-    struct demo_context context;
-    struct ph_renderer r;
-    void *memory;
+/* The scene, and how it is looked at. */
+struct view {
+    struct model_stage stage;
     uint32_t frames; /* of the clip */
     bool turns;      /* on the turntable */
 };
@@ -31,55 +29,27 @@ static uint32_t sides_of(const struct model *model)
     return sides;
 }
 
-static int set_up(struct stage *s, struct asset *asset, const struct board *board)
+static int set_up(struct view *v, struct asset *asset, const struct board *board)
 {
-    const struct model_motion *motion = asset->model.motion;
-    const struct ph_clip *clip = motion != NULL ? motion->animation.clip : NULL;
-    s->demo = asset_demo(asset);
-    s->frames = clip != NULL ? (uint32_t)((uint64_t)clip->duration * ANIMATION_FRAMES_A_SECOND >> 16) : 0;
-    s->turns = !asset->model.has_camera;
-    const uint32_t triangles = asset->model.triangle_count + asset->model.triangle_count / 2 + 1536;
-    const uint16_t width = panel_width(board->panel, board->rotation);
-    const uint16_t height = panel_height(board->panel, board->rotation);
-    const size_t vertex_bytes = (s->demo.vertex_max * ph_vertex_bytes + 15) & ~(size_t)15;
-    const size_t list_bytes = (triangles * ph_triangle_bytes + 15) & ~(size_t)15;
-    const size_t depth_bytes = ((size_t)width * 4 + 15) & ~(size_t)15,
-                 bin_bytes = ((size_t)height * 4 + 15) & ~(size_t)15;
-    s->memory = malloc(vertex_bytes + list_bytes + depth_bytes + bin_bytes + s->demo.arena_bytes);
-    if (s->memory == NULL) {
-        return PH_ERR_NOMEM;
-    }
-    uint8_t *const vertices = s->memory, *const list = vertices + vertex_bytes, *const depth = list + list_bytes,
-                   *const bins = depth + depth_bytes;
-    const struct ph_config config = {.width = width,
-                                     .height = height,
-                                     .band_height = 1,
-                                     .depth_format = PH_DEPTH_AUTO,
-                                     .colouring = PH_COLOURS,
-                                     .vertices = vertices,
-                                     .vertex_max = s->demo.vertex_max,
-                                     .triangles = list,
-                                     .triangle_max = triangles,
-                                     .bins = (uint32_t *)(void *)bins,
-                                     .bin_max = height,
-                                     .depth = depth};
-    s->context = (struct demo_context){
-        .arena = {.base = (uint8_t *)s->memory + vertex_bytes + list_bytes + depth_bytes + bin_bytes,
-                  .size = s->demo.arena_bytes},
-        .state = &asset->model,
-        .width = width,
-        .height = height};
-    const int status = ph_renderer_init(&s->r, &config);
-    return status == 0 ? s->demo.init(&s->context) : status;
+    const struct demo demo = asset_demo(asset);
+    const struct model_stage_size size = {.width = panel_width(board->panel, board->rotation),
+                                          .height = panel_height(board->panel, board->rotation),
+                                          .band_height = 1,
+                                          .triangle_max =
+                                              asset->model.triangle_count + asset->model.triangle_count / 2 + 1536};
+    v->frames = model_clip_frames(&asset->model);
+    v->turns = !asset->model.has_camera;
+    return model_stage_open(&v->stage, &demo, &asset->model, &size);
 }
 
 /* Looks at the model from all sides, and at one that moves at another moment of its clip from each side. The orbit
  * takes back what the turntable turns meanwhile. `most` is raised to the most triangles listed in a frame. */
-static int look_around(struct stage *s, fx_t dolly, uint32_t sides, uint32_t *most)
+static int look_around(struct view *v, fx_t dolly, uint32_t sides, uint32_t *most)
 {
+    struct model_stage *const s = &v->stage;
     s->context.dolly = dolly;
     for (uint32_t side = 0; side < sides; side++) {
-        const uint32_t frame = (uint32_t)((uint64_t)side * s->frames / sides), turn = s->turns ? frame << 24 : 0;
+        const uint32_t frame = (uint32_t)((uint64_t)side * v->frames / sides), turn = v->turns ? frame << 24 : 0;
         s->context.orbit = (uint32_t)(((uint64_t)side << 32) / sides) + turn;
         const int status = s->demo.frame(&s->context, &s->r, frame);
         if (status != 0) {
@@ -104,17 +74,17 @@ uint32_t asset_first_glass(uint32_t board)
 
 int asset_measure(struct asset *asset, const struct board *board)
 {
-    struct stage s = {.memory = NULL};
+    struct view view;
     const uint32_t sides = sides_of(&asset->model);
     uint32_t most = 0;
-    int status = set_up(&s, asset, board);
+    int status = set_up(&view, asset, board);
     if (status == 0) {
-        status = look_around(&s, 0, sides, &most);
+        status = look_around(&view, 0, sides, &most);
     }
     for (int i = 0; i < 2 && status == 0; i++) {
-        status = look_around(&s, i == 0 ? -DEMO_DOLLY_MAX : DEMO_DOLLY_MAX, sides / 4, &most);
+        status = look_around(&view, i == 0 ? -DEMO_DOLLY_MAX : DEMO_DOLLY_MAX, sides / 4, &most);
     }
-    free(s.memory);
+    free(view.stage.memory);
     const uint16_t width = panel_width(board->panel, board->rotation);
     const uint32_t listed = most + most / 16 + 8 + model_blend_triangles(&asset->model, width);
     asset->listed = listed > asset->listed ? listed : asset->listed;

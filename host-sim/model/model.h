@@ -5,14 +5,15 @@
  * The model is triangulated, the transforms of its nodes are applied, and points and lines are left out. Missing
  * normals are made: smooth for OBJ and STL, with creases above 66 degrees; flat for PLY, glTF and other formats that
  * share vertices, as glTF asks. Meshes are split at 65535 vertices. The model is moved and scaled into the sphere of
- * radius 1 around the origin, which it touches. The diffuse colour of a material becomes its ramp. A texture, PNG or
- * JPEG, is resampled to a power of two of at most 1024; one that cannot be used (missing, broken) leaves the colour. A
- * note tells what was changed or ignored.
+ * radius 1 around the origin, which it touches. The diffuse colour of a material becomes its ramp. A texture, PNG,
+ * JPEG or WebP, is resampled to a power of two of at most 1024; one that cannot be used (missing, broken) leaves the
+ * colour. A note tells what was changed or ignored.
  *
  * STL has z up, and is turned: y is up here. options say otherwise.
  *
  * The first camera of a glTF file becomes the camera of the model, moved and scaled with it. Its near and far planes
  * come as close to the model as they can. A panel of another shape shows all of the camera's picture.
+ * A camera in whose picture less than 5 % show the model is left out, and noted.
  *
  * The first clip of a glTF file plays, and repeats: nodes, skins of up to 256 joints and morph targets move, in fixed
  * point, as on a kit (motion.h).
@@ -120,6 +121,9 @@ const struct animation_mesh *model_moving(const struct model *model, uint32_t me
 
 /* Triangles of the budget that its blends take in a picture of so many columns; 0 without blends. */
 uint32_t model_blend_triangles(const struct model *model, uint32_t width);
+
+/* Frames of the clip that plays; 0: there is none. */
+uint32_t model_clip_frames(const struct model *model);
 
 /* Plays the clip of that name from now on; NULL changes nothing. 0, or after complaining PH_ERR_INVAL. */
 int model_play(struct model *model, const char *name);

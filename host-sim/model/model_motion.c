@@ -23,6 +23,12 @@ static int refuse(const struct model_motion *motion, const char *name)
                           nearest_text(name, clip_name, motion), list[0] != '\0' ? list : "none");
 }
 
+uint32_t model_clip_frames(const struct model *model)
+{
+    const struct ph_clip *clip = model->motion != NULL ? model->motion->animation.clip : NULL;
+    return clip != NULL ? (uint32_t)((uint64_t)clip->duration * ANIMATION_FRAMES_A_SECOND >> 16) : 0;
+}
+
 int model_play(struct model *model, const char *name)
 {
     struct model_motion *const m = model->motion;

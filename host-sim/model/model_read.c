@@ -2,6 +2,7 @@
 #include "model_read.h"
 
 #include "model_assimp.h"
+#include "model_framing.h"
 #include "model_gltf.h"
 #include "model_meshes.h"
 #include "model_obj.h"
@@ -75,6 +76,9 @@ bool model_read(struct model_shared *shared, const char *path)
     if (shared->folder.outside[0] != '\0') { /* the reader went on without it */
         return model_shared_failed(shared, "names %.120s, which is outside of its folder; --allow-outside reads it",
                                    shared->folder.outside);
+    }
+    if (is_read) {
+        model_framing_check(shared);
     }
     return is_read;
 }

@@ -109,6 +109,19 @@ static void a_mesh_moves_if_the_animation_names_it(void **state)
     assert_null(model_moving(&model, 4));
 }
 
+static void a_clip_has_thirty_frames_a_second(void **state)
+{
+    const struct ph_clip clip = {.duration = FX_ONE * 5 / 2 - 1};
+    (void)state;
+    assert_int_equal(model_clip_frames(&model), 0);
+    motion.animation.clip = &clip;
+    assert_int_equal(model_clip_frames(&model), 74); /* 2.5 seconds less 2^-16 */
+    motion.animation.clip = NULL;
+    assert_int_equal(model_clip_frames(&model), 0);
+    model.motion = NULL;
+    assert_int_equal(model_clip_frames(&model), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -117,6 +130,7 @@ int main(void)
         cmocka_unit_test_setup(a_long_list_is_cut, fresh),
         cmocka_unit_test_setup(a_binary_scene_is_told_the_number, fresh),
         cmocka_unit_test_setup(a_mesh_moves_if_the_animation_names_it, fresh),
+        cmocka_unit_test_setup(a_clip_has_thirty_frames_a_second, fresh),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
