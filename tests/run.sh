@@ -36,6 +36,7 @@ long_boards_rp2040 long_firmware_rp2350 exhaustive_fx_math exhaustive_fx long_gu
 long_debian13 long_bare long_guest_flash_cuts long_guest_panel long_make long_firmware_rp2040 long_firmware_rp2350_emulated long_firmware long_firmware_lm3s long_guest_flash'
 
 export B=${B:-build} CC=${CC:-cc} CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS=
+export MALLOC_PERTURB_=165 # memory that a program forgets to set is never 0 (glibc)
 export LSAN_OPTIONS=suppressions=$PWD/tests/tools/leaks.suppress:print_suppressions=0
 export limit_s=${TEST_TIMEOUT:-$limit_s} results=$B/log/$mode.results running=$B/log/running
 sanitize='-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all'

@@ -51,8 +51,6 @@ static bool finish_mesh(struct demo_arena *arena, const struct ph_mesh *from, st
     *material = from->materials[from->parts->material];
     to->parts = part;
     to->materials = material;
-    to->edges = NULL;
-    to->edge_count = 0;
     to->part_count = to->material_count = 1;
     return true;
 }
@@ -200,6 +198,7 @@ static bool make_mesh(struct asset *asset, struct demo_arena *arena, const struc
     struct ph_mesh *const to = &asset->model.meshes[asset->model.mesh_count];
     struct ph_material *const material = &asset->materials[asset->model.mesh_count];
     const struct animation_mesh *const moving = model_moving(from, m);
+    *to = (struct ph_mesh){.bounds = NULL}; /* what moves has none */
     const bool is_done =
         (has_normals ? order_mesh : remake_mesh)(arena, mesh, indices, n, moving != NULL ? sources : NULL, material,
                                                  to) &&

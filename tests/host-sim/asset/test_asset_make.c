@@ -223,6 +223,25 @@ static void joined_triangles_have_new_normals(void **state)
     }
 }
 
+/* tests/run.sh fills memory that nobody has set (MALLOC_PERTURB_). */
+static void what_stands_still_has_bounds_and_what_moves_has_none(void **state)
+{
+    static const int16_t bind[3][3] = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+    const struct animation_mesh moving = {.mesh = 1, .bound = {.positions = bind, .vertex_count = 3}};
+    struct model_motion motion = {.animation = {.meshes = &moving, .mesh_count = 1}};
+    (void)state;
+    model.motion = &motion;
+    make();
+    assert_int_equal(asset.model.mesh_count, 3);
+    for (uint32_t m = 0; m < 3; m++) {
+        const struct ph_mesh *const mesh = &asset.model.meshes[m];
+        assert_int_equal(mesh->bounds != NULL, m != 1);
+        assert_true(mesh->edges == NULL && mesh->edge_count == 0);
+    }
+    assert_true(asset.model.meshes[0].bounds->radius > FX_HALF);
+    assert_memory_equal(asset.model.motion->animation.meshes->bound.positions, bind, sizeof bind);
+}
+
 static void without_a_triangle_there_is_no_asset(void **state)
 {
     struct stderr_capture said;
@@ -364,6 +383,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(what_remains_is_sorted_into_its_meshes, fresh, freed),
         cmocka_unit_test_setup_teardown(a_model_that_fits_is_not_simplified, fresh, freed),
         cmocka_unit_test_setup(joined_triangles_have_new_normals, fresh),
+        cmocka_unit_test_setup_teardown(what_stands_still_has_bounds_and_what_moves_has_none, fresh, freed),
         cmocka_unit_test_setup_teardown(without_a_triangle_there_is_no_asset, fresh, freed),
         cmocka_unit_test_setup(a_camera_of_the_file_is_kept_unless_it_turns, fresh),
         cmocka_unit_test_setup_teardown(a_texture_is_shrunk_to_its_means_once_for_all_that_have_it, fresh, freed),
