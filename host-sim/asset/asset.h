@@ -7,7 +7,7 @@
  *   asset_write(file, &asset)              that file, in C
  *   asset_scene(&asset, bytes)             the same as a binary scene
  *
- * Simplifying and ordering are meshoptimizer's: meshopt/ has it, nomeshopt/ does without; the Makefile picks.
+ * Ordering is meshoptimizer's: meshopt/ has it, nomeshopt/ does without; the Makefile picks.
  */
 #ifndef ASSET_H
 #define ASSET_H
@@ -27,14 +27,6 @@ struct asset_limits {
     const char *file_name; /* of the model, for its name */
 };
 
-/* How a model was simplified. */
-enum asset_way {
-    ASSET_WHOLE,  /* not at all */
-    ASSET_KEPT,   /* vertices with the normals of the file */
-    ASSET_JOINED, /* vertices in one place became one, and normals were made anew: creases had been in the way */
-    ASSET_SLOPPY, /* without keeping triangles connected */
-};
-
 struct asset {
     struct model model;            /* what is written */
     struct ph_material *materials; /* one a mesh */
@@ -43,15 +35,11 @@ struct asset {
     char name[ASSET_NAME_BYTES]; /* of the file: letters, digits, - and _ */
     bool is_bare;
     uint32_t triangles_read, vertices_read;
-    enum asset_way way;
-    double error; /* by how much simplification moved the surface, about, in radii of the model: meshoptimizer's
-                     estimate */
+    bool is_simplified;
+    double error; /* by how much simplification moved the surface, at most and about, in radii of the model */
     double fetched_read, fetched; /* vertices per triangle that are not among the 16 used last, before and after */
     uint32_t listed;              /* triangles of a frame at most, of what asset_measure() looked at */
 };
-
-/* Whether a model can be simplified; false: built without meshoptimizer. */
-extern const bool asset_can_simplify;
 
 /* Makes an asset of a model. 0 or COMPLAINED. More triangles than asked for remain where a model cannot be simplified
  * that far. */

@@ -88,7 +88,7 @@ static int make_less(struct asset *asset, const struct model *model, const struc
 {
     uint32_t fitting = 0, too_many = model->triangle_count;
     int status = make(asset, model, goal, UINT32_MAX, is_bare);
-    for (int i = 0; i < TRIES && status == 0 && asset_can_simplify; i++) {
+    for (int i = 0; i < TRIES && status == 0; i++) {
         progress_show("fitting", (uint64_t)i, TRIES);
         if ((i == 0 && fits(asset, goal)) || too_many < TRIANGLES_LEAST || too_many - fitting <= too_many / 32) {
             break;
@@ -115,7 +115,7 @@ static int make_less(struct asset *asset, const struct model *model, const struc
 static int make_fitting(struct asset *asset, const struct model *model, const struct asset_goal *goal)
 {
     const int status = make_less(asset, model, goal, false);
-    const bool is_full = fits(asset, goal) && asset->way == ASSET_WHOLE;
+    const bool is_full = fits(asset, goal) && !asset->is_simplified;
     if (status != 0 || is_full || asset->model.has_camera || asset->model.triangle_count >= TRIANGLES_FEW) {
         return status;
     }
@@ -126,7 +126,7 @@ static int make_fitting(struct asset *asset, const struct model *model, const st
 /* Says that the model was simplified. */
 static void tell(const struct asset *asset, const struct asset_goal *goal)
 {
-    if (goal->fit && asset->way != ASSET_WHOLE) {
+    if (goal->fit && asset->is_simplified) {
         complain_note(
             "%s: %u of its %u triangles have room on %s%s; it was simplified, its surface moved by about %.2g %% "
             "of its radius",
@@ -134,8 +134,6 @@ static void tell(const struct asset *asset, const struct asset_goal *goal)
             asset->is_bare ? ", without a platter" : "", 100 * asset->error);
     }
 }
-
-static const char no_meshopt[] = "simplifying takes meshoptimizer: install libmeshoptimizer-dev (Debian), make again";
 
 /* Says why `asset` does not fit, and how many triangles would. */
 static int refuse(const struct asset *asset, const struct model *model, const struct asset_goal *goal)
@@ -161,8 +159,7 @@ static int refuse(const struct asset *asset, const struct model *model, const st
     return is_small ? complain("%s: its %u triangles %s; %u fit: --max-triangles fit (make: "
                                "SCENE_TRIANGLES=fit)",
                                goal->model, triangles, need, fewer)
-                    : complain("%s: its %u triangles %s; %s", goal->model, triangles, need,
-                               asset_can_simplify ? "it cannot be simplified so far" : no_meshopt);
+                    : complain("%s: its %u triangles %s; it cannot be simplified so far", goal->model, triangles, need);
 }
 
 bool asset_triangles_named(const char *text, struct asset_goal *goal)
@@ -181,9 +178,8 @@ int asset_fit_make(struct asset *asset, const struct model *model, const struct 
 int asset_fit_check(const struct asset *asset, const struct model *model, const struct asset_goal *goal)
 {
     if (asset->model.triangle_count > goal->triangles) {
-        return complain("%s: %u of its triangles remain, not %u; %s", goal->model,
-                        (unsigned)asset->model.triangle_count, (unsigned)goal->triangles,
-                        asset_can_simplify ? "it cannot be simplified so far" : no_meshopt);
+        return complain("%s: %u of its triangles remain, not %u; it cannot be simplified so far", goal->model,
+                        (unsigned)asset->model.triangle_count, (unsigned)goal->triangles);
     }
     if (!fits(asset, goal)) {
         return refuse(asset, model, goal);

@@ -1,5 +1,6 @@
 /* asset: makes a model into the meshes, materials and textures that pinhole-asset writes (asset.h). */
 #include "asset_mesh.h"
+#include "asset_net.h"
 #include "complain.h"
 #include "model_texture.h"
 #include "progress.h"
@@ -25,19 +26,6 @@ static void make_name(char name[ASSET_NAME_BYTES], const char *file)
 }
 
 /* ---- meshes --------------------------------------------------------------------------------------------- */
-
-/* Does each triangle have one normal for all its corners? */
-static bool is_flat(const struct ph_mesh *mesh)
-{
-    for (uint32_t t = 0; t < mesh->triangle_count; t++) {
-        const uint16_t *c = mesh->triangles[t];
-        if (memcmp(mesh->normals[c[0]], mesh->normals[c[1]], sizeof mesh->normals[0]) != 0 ||
-            memcmp(mesh->normals[c[0]], mesh->normals[c[2]], sizeof mesh->normals[0]) != 0) {
-            return false;
-        }
-    }
-    return true;
-}
 
 /* Adds material and part to a mesh that has the rest. */
 static bool finish_mesh(struct demo_arena *arena, const struct ph_mesh *from, struct ph_material *material,
@@ -66,7 +54,7 @@ static bool order_mesh(struct demo_arena *arena, const struct ph_mesh *from, con
     return asset_order(arena, &shape, to) && finish_mesh(arena, from, material, to);
 }
 
-/* Triangles whose corners share no vertices, with new normals. */
+/* Triangles of a flat mesh, whose corners share no vertices, with new normals. */
 struct loose {
     struct fx_vec3 *positions;
     int16_t (*normals)[3];
@@ -107,8 +95,8 @@ static bool remake_mesh(struct demo_arena *arena, const struct ph_mesh *from, co
         if (sources != NULL) {
             memcpy(sources, indices, sizeof *sources * count);
         }
-        is_done = asset_normals(l.positions, count, is_flat(from), l.normals) && asset_order(arena, &shape, to) &&
-                  finish_mesh(arena, from, material, to);
+        asset_normals(l.positions, count, l.normals);
+        is_done = asset_order(arena, &shape, to) && finish_mesh(arena, from, material, to);
     }
     free(l.positions);
     free(l.normals);
@@ -192,7 +180,7 @@ static bool set_bounds(struct demo_arena *arena, struct ph_mesh *mesh)
 
 /* Adds what remains of mesh number m, `n` indices, to the asset. */
 static bool make_mesh(struct asset *asset, struct demo_arena *arena, const struct model *from, uint32_t m,
-                      const unsigned *indices, size_t n, bool has_normals, unsigned *sources)
+                      const unsigned *indices, size_t n, bool is_simplified, unsigned *sources)
 {
     const struct ph_mesh *const mesh = &from->meshes[m];
     struct ph_mesh *const to = &asset->model.meshes[asset->model.mesh_count];
@@ -200,8 +188,8 @@ static bool make_mesh(struct asset *asset, struct demo_arena *arena, const struc
     const struct animation_mesh *const moving = model_moving(from, m);
     *to = (struct ph_mesh){.bounds = NULL}; /* what moves has none */
     const bool is_done =
-        (has_normals ? order_mesh : remake_mesh)(arena, mesh, indices, n, moving != NULL ? sources : NULL, material,
-                                                 to) &&
+        (is_simplified && asset_net_is_flat(mesh) ? remake_mesh : order_mesh)(
+            arena, mesh, indices, n, moving != NULL ? sources : NULL, material, to) &&
         (moving == NULL ? set_bounds(arena, to)
                         : asset_motion_add(arena, moving, sources, &asset->model, asset->model.mesh_count));
     if (is_done) {
@@ -213,7 +201,6 @@ static bool make_mesh(struct asset *asset, struct demo_arena *arena, const struc
 static bool make_meshes(struct asset *asset, struct demo_arena *arena, const struct model *from,
                         const struct asset_rest *rest)
 {
-    const bool has_normals = rest->way == ASSET_WHOLE || rest->way == ASSET_KEPT;
     const size_t most = 3 * ((size_t)from->triangle_count + 1) + from->vertex_max;
     unsigned *sources = malloc(sizeof *sources * most);
     struct by_mesh sorted;
@@ -222,7 +209,7 @@ static bool make_meshes(struct asset *asset, struct demo_arena *arena, const str
     for (uint32_t m = 0; m < from->mesh_count && is_done; m++) {
         progress_show("ordering", m, from->mesh_count);
         const size_t n = sorted.ends[m] - begin;
-        is_done = n == 0 || make_mesh(asset, arena, from, m, sorted.indices + begin, n, has_normals, sources);
+        is_done = n == 0 || make_mesh(asset, arena, from, m, sorted.indices + begin, n, rest->is_simplified, sources);
         begin = sorted.ends[m];
     }
     progress_show("ordering", from->mesh_count, from->mesh_count);
@@ -444,7 +431,7 @@ static int make(struct asset *asset, const struct model *model, const struct ass
     struct demo_arena arena = {.base = asset->memory, .size = asset->memory != NULL ? bytes : 0};
     asset->model.meshes = demo_alloc(&arena, sizeof *asset->model.meshes * model->mesh_count);
     asset->materials = demo_alloc(&arena, sizeof *asset->materials * model->mesh_count);
-    asset->way = rest->way;
+    asset->is_simplified = rest->is_simplified;
     asset->error = rest->error;
     return asset->model.meshes != NULL && asset->materials != NULL &&
                    asset_motion_begin(&arena, model, &asset->model) && make_meshes(asset, &arena, model, rest) &&

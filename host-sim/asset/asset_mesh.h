@@ -1,4 +1,5 @@
-/* asset_mesh: the work of meshoptimizer for asset.h. meshopt/ does it; nomeshopt/ copies, and refuses to simplify. */
+/* asset_mesh: the parts of asset.h: order, simplification, motion, normals. meshopt/ orders with meshoptimizer, and
+ * nomeshopt/ leaves the order as it is. */
 #ifndef ASSET_MESH_H
 #define ASSET_MESH_H
 
@@ -30,14 +31,15 @@ double asset_fetches(const struct ph_mesh *mesh);
 struct asset_rest {
     unsigned *indices; /* free() it */
     size_t index_count;
-    enum asset_way way;
+    bool is_simplified;
     double error; /* as struct asset */
 };
 
 /* Keeps all triangles but those with two corners in one place. 0 or COMPLAINED. */
 int asset_keep_all(const struct model *model, struct asset_rest *rest);
 
-/* Keeps at most `triangles` of them, or more where the model cannot be simplified that far. 0 or COMPLAINED. */
+/* Keeps at most `triangles` of them, or more where the model cannot be simplified that far; each has three vertices of
+ * one mesh. 0 or COMPLAINED. */
 int asset_simplify(const struct model *model, uint32_t triangles, struct asset_rest *rest);
 
 /* The arena that all that moves takes, when so many triangles remain. */
@@ -51,8 +53,7 @@ bool asset_motion_begin(struct demo_arena *arena, const struct model *model, str
 bool asset_motion_add(struct demo_arena *arena, const struct animation_mesh *from, const unsigned *sources,
                       struct model *to, uint32_t mesh);
 
-/* Makes normals for corners that have none. Corner i is at places[i], and three corners make a triangle. They are flat,
- * or smooth but where faces meet at more than 66 degrees. False: no memory. */
-bool asset_normals(const struct fx_vec3 *places, size_t count, bool is_flat, int16_t (*normals)[3]);
+/* Makes flat normals: corner i is at places[i], and three corners make a triangle. */
+void asset_normals(const struct fx_vec3 *places, size_t count, int16_t (*normals)[3]);
 
 #endif

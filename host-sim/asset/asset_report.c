@@ -76,18 +76,16 @@ uint64_t asset_flash_bytes(const struct asset *asset)
 
 static void report_model(FILE *file, const struct asset *asset)
 {
-    static const char *const ways[] = {"as in the file", "simplified", "simplified, normals made again",
-                                       "simplified roughly, normals made again"};
     const struct model *model = &asset->model;
     uint32_t vertices = 0;
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         vertices += model->meshes[m].vertex_count;
     }
     fprintf(file, "model      %s\n", asset->name);
-    const bool lacks = asset->way == ASSET_WHOLE && model->triangle_count < asset->triangles_read;
+    const bool lacks = !asset->is_simplified && model->triangle_count < asset->triangles_read;
     fprintf(file, "triangles  %u of %u: %s%s", (unsigned)model->triangle_count, (unsigned)asset->triangles_read,
-            ways[asset->way], lacks ? ", without those that have no area" : "");
-    if (asset->way != ASSET_WHOLE) {
+            asset->is_simplified ? "simplified" : "as in the file", lacks ? ", without those that have no area" : "");
+    if (asset->is_simplified) {
         fprintf(file, "; the surface moved by about %.2g %% of the model's radius", 100 * asset->error);
     }
     fprintf(file, "\nvertices   %u of %u%s, %u in the largest of %u meshes\n", (unsigned)vertices,

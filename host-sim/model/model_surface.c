@@ -7,8 +7,8 @@
 #include <string.h>
 
 /* How a material takes the light of the turntable; files give reliable colours only. */
-#define AMBIENT        (FX_ONE * 2 / 5) /* with the lamps, half of a model is as bright as if it were unlit */
-#define DIFFUSE        (FX_ONE * 19 / 20)
+#define AMBIENT        (FX_ONE / 2) /* with the lamps, half of a model is about as bright as if it were unlit */
+#define DIFFUSE        (FX_ONE * 13 / 20)
 #define GLOSS          (FX_ONE / 4)
 #define SHININESS_LOG2 5
 #define GLOW_BIAS      8 /* a code of every depth format: what is blended must be nearer */

@@ -17,8 +17,6 @@
 
 /* ---- assets that are made up ------------------------------------------------------------------------------------- */
 
-const bool asset_can_simplify = true;
-
 static struct {
     uint64_t (*takes)(uint32_t triangles); /* bytes of flash, and of the board's memory beside PLATTER */
     uint32_t fewest;                       /* to which it can be simplified */
@@ -40,7 +38,7 @@ int asset_make(struct asset *asset, const struct model *model, const struct asse
                             .memory = &made_up,
                             .is_bare = limits->is_bare,
                             .triangles_read = model->triangle_count,
-                            .way = n < model->triangle_count ? ASSET_KEPT : ASSET_WHOLE,
+                            .is_simplified = n < model->triangle_count,
                             .error = .0124};
     asset->model.triangle_count = n;
     return made_up.fails ? COMPLAINED : 0;

@@ -151,12 +151,12 @@ static void pictures_are_looked_for_beside_the_mtl_then_beside_the_obj(void **st
               "newmtl a\nmap_Kd -clamp on -s 2 2 1 own.png\nnewmtl b\nmap_Kd top.png\nnewmtl c\nmap_Kd no.png\n");
     const char *const path = file_text("a.obj", "mtllib sub/b.mtl\n" TRIANGLE "f 1 2 3\n");
     assert_true(scene_read(model_obj_read, path, &shared, &scene));
-    assert_non_null(strstr(shared->note, "own.png is left out: it is neither"));
-    assert_non_null(strstr(shared->note, "top.png is left out: it is neither"));
+    assert_non_null(strstr(shared->note, "own.png is left out: it is no PNG"));
+    assert_non_null(strstr(shared->note, "top.png is left out: it is no PNG"));
     assert_non_null(strstr(shared->note, "no.png is left out: it cannot be opened"));
     assert_int_equal(remove(file_path("own.png")), 0); /* the one beside the MTL is found */
     assert_true(scene_read(model_obj_read, path, &shared, &scene));
-    assert_non_null(strstr(shared->note, "own.png is left out: it is neither"));
+    assert_non_null(strstr(shared->note, "own.png is left out: it is no PNG"));
 }
 
 static void options_of_a_map_move_its_coordinates(void **state)

@@ -1,4 +1,4 @@
-/* See asset_mesh.h. Stands in where meshoptimizer is not installed: copies a mesh as it is, and refuses to simplify. */
+/* See asset_mesh.h. Stands in where meshoptimizer is not installed: copies a mesh as it is. */
 #include "asset_mesh.h"
 
 bool asset_order(struct demo_arena *arena, const struct asset_shape *shape, struct ph_mesh *to)
@@ -24,12 +24,4 @@ double asset_fetches(const struct ph_mesh *mesh)
 {
     (void)mesh;
     return 0;
-}
-
-const bool asset_can_simplify = false;
-
-int asset_simplify(const struct model *model, uint32_t triangles, struct asset_rest *rest)
-{
-    (void)triangles;
-    return asset_keep_all(model, rest);
 }

@@ -13,7 +13,6 @@
 
 static unsigned simplified[16];
 static size_t simplified_count;
-static enum asset_way simplified_way;
 static uint32_t asked_triangles; /* 0: asset_simplify was not called */
 static unsigned ordered[16][16]; /* the indices of each call */
 static uint32_t order_count;
@@ -47,14 +46,12 @@ double asset_fetches(const struct ph_mesh *mesh)
     return mesh->triangle_count * 2.5;
 }
 
-const bool asset_can_simplify = true;
-
 int asset_simplify(const struct model *model, uint32_t triangles, struct asset_rest *rest)
 {
     assert_true(model->triangle_count > triangles);
     asked_triangles = triangles;
     *rest = (struct asset_rest){
-        .indices = malloc(sizeof simplified), .index_count = simplified_count, .way = simplified_way, .error = .25};
+        .indices = malloc(sizeof simplified), .index_count = simplified_count, .is_simplified = true, .error = .25};
     assert_non_null(rest->indices);
     memcpy(rest->indices, simplified, sizeof simplified);
     return 0;
@@ -140,7 +137,7 @@ static void triangles_with_two_corners_in_one_place_go(void **state)
     static const unsigned first[6] = {0, 1, 2, 1, 2, 4}, second[3] = {2, 0, 1}, third[6] = {0, 1, 2, 4, 2, 1};
     (void)state;
     make();
-    assert_true(asset.way == ASSET_WHOLE && asset.error == 0 && asked_triangles == 0);
+    assert_true(!asset.is_simplified && asset.error == 0 && asked_triangles == 0);
     assert_int_equal(order_count, 3);
     assert_memory_equal(ordered[0], first, sizeof first);
     assert_memory_equal(ordered[1], second, sizeof second);
@@ -175,12 +172,12 @@ static void what_remains_is_sorted_into_its_meshes(void **state)
 {
     static const unsigned rest[9] = {8, 9, 10, 4, 2, 1, 12, 10, 9}, first[3] = {4, 2, 1}, third[6] = {0, 1, 2, 4, 2, 1};
     (void)state;
+    normals[4][0] = 1; /* not flat */
     memcpy(simplified, rest, sizeof rest);
     simplified_count = 9;
-    simplified_way = ASSET_KEPT;
     limits.triangles = 5;
     make();
-    assert_true(asked_triangles == 5 && asset.way == ASSET_KEPT && asset.error == .25);
+    assert_true(asked_triangles == 5 && asset.is_simplified && asset.error == .25);
     assert_true(asset.model.mesh_count == 2 && asset.model.triangle_count == 3);
     assert_memory_equal(ordered[0], first, sizeof first);
     assert_memory_equal(ordered[1], third, sizeof third);
@@ -196,9 +193,9 @@ static void a_model_that_fits_is_not_simplified(void **state)
     assert_int_equal(asked_triangles, 0);
 }
 
-/* The corners of joined triangles have vertices of their own, with the normals 0, 0, -1 and 1/4, 1/4, -1 of their
- * faces, which are smoothed at the edge that both have, unless each face of the model had one normal. */
-static void joined_triangles_have_new_normals(void **state)
+/* Where each face of the model had one normal, corners that remain have vertices of their own, with the normals
+ * 0, 0, -1 and 1/4, 1/4, -1 of the new faces. */
+static void flat_triangles_have_new_normals(void **state)
 {
     static const unsigned rest[6] = {0, 2, 1, 1, 2, 4};
     (void)state;
@@ -207,18 +204,20 @@ static void joined_triangles_have_new_normals(void **state)
         normals[4][0] = (int16_t)(is_flat ? 0 : 1); /* the last corner of a triangle */
         memcpy(simplified, rest, sizeof rest);
         simplified_count = 6;
-        simplified_way = ASSET_JOINED;
         limits.triangles = 2;
         make();
         const struct ph_mesh *const to = asset.model.meshes;
-        assert_int_equal(to->vertex_count, 6);
+        assert_int_equal(to->vertex_count, is_flat ? 6 : 5);
         for (unsigned i = 0; i < 6; i++) {
-            assert_int_equal(ordered[0][i], i);
-            assert_memory_equal(&to->positions[i], &places[rest[i]], sizeof places[0]);
+            assert_int_equal(ordered[0][i], is_flat ? i : rest[i]);
+            assert_memory_equal(&to->positions[ordered[0][i]], &places[rest[i]], sizeof places[0]);
         }
-        assert_true(to->normals[0][2] == -16384 && to->normals[0][0] == 0);
-        assert_true(to->normals[5][0] == 3862 && to->normals[5][1] == 3862 && to->normals[5][2] == -15447);
-        assert_int_equal(to->normals[1][0] != 0, !is_flat);
+        if (is_flat) {
+            assert_true(to->normals[0][2] == -16384 && to->normals[0][0] == 0 && to->normals[1][0] == 0);
+            assert_true(to->normals[5][0] == 3862 && to->normals[5][1] == 3862 && to->normals[5][2] == -15447);
+        } else {
+            assert_memory_equal(to->normals, normals, sizeof normals[0] * 5);
+        }
         asset_free(&asset);
     }
 }
@@ -382,7 +381,7 @@ int main(void)
         cmocka_unit_test_setup(each_way_to_have_two_corners_in_one_place_is_seen, fresh),
         cmocka_unit_test_setup_teardown(what_remains_is_sorted_into_its_meshes, fresh, freed),
         cmocka_unit_test_setup_teardown(a_model_that_fits_is_not_simplified, fresh, freed),
-        cmocka_unit_test_setup(joined_triangles_have_new_normals, fresh),
+        cmocka_unit_test_setup(flat_triangles_have_new_normals, fresh),
         cmocka_unit_test_setup_teardown(what_stands_still_has_bounds_and_what_moves_has_none, fresh, freed),
         cmocka_unit_test_setup_teardown(without_a_triangle_there_is_no_asset, fresh, freed),
         cmocka_unit_test_setup(a_camera_of_the_file_is_kept_unless_it_turns, fresh),

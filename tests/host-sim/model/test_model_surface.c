@@ -107,8 +107,8 @@ static void a_plain_surface_is_lit_by_its_ramp(void **state)
     const struct ph_material *m = &made.surface;
     assert_ptr_equal(m->shading, PH_SHADE_GOURAUD);
     assert_true(m->two_sided && m->texture == NULL && m->blend == NULL && !made.glows);
-    /* 1/6, 3/4 and 1/4 of 65536: what is lit straight on is just below its own colour, and its highlight above it */
-    assert_true(m->ambient == 10922 && m->diffuse == 49152 && m->specular == 16384 && m->shininess_log2 == 5);
+    /* 1/2, 13/20 and 1/4 of 65536: what is lit straight on has its own colour, and its highlight is above it */
+    assert_true(m->ambient == 32768 && m->diffuse == 42598 && m->specular == 16384 && m->shininess_log2 == 5);
     assert_int_equal(m->colour, ph_rgb565(200, 100, 50));
     ph_material_ramp(ramp, 200, 100, 50, 16384);
     assert_memory_equal(m->ramp, ramp, sizeof ramp);
