@@ -12,6 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define HELD_MOST    32  /* points, */
+#define HELD_SHARE   32  /* or one of so many triangles */
 #define WEDGES_MOST  64  /* at a point that moves */
 #define LEAST_TURN   .5  /* cosine of the angle by which a triangle may turn */
 #define PIECE_WEIGHT 2.0 /* of the error that leaving out a piece is */
@@ -38,6 +40,7 @@ struct work {
     struct asset_net net;
     uint32_t live, *versions; /* triangles; of each point */
     uint32_t *marks, mark;    /* of each point, for sets of points */
+    bool *is_held;            /* of each point: it stays where it is */
     double *moved, error;     /* how far from the model each point has come, in sizes of the model */
     struct step *heap;        /* the cheapest first */
     size_t heap_count, heap_room;
@@ -237,7 +240,7 @@ static bool may_collapse(const struct work *w, uint32_t from, uint32_t to)
     const struct asset_net *const net = &w->net;
     const double *const x = asset_net_x(net, asset_net_wedge(net, live_corner(net, net->heads[to])));
     uint32_t between = 0;
-    bool turns = false;
+    bool turns = w->is_held[from] && !w->may_turn;
     EACH_CORNER(net, corner, from)
     {
         const bool is_between = corner_at(net, corner, to) != ASSET_NET_NONE;
@@ -496,6 +499,25 @@ static void reduce(struct work *w, uint32_t triangles)
     }
 }
 
+/* Holds points that are outermost as the model turns, from the lowest to the highest: the turntable's camera goes back
+ * until they are in the picture, so without one all of the picture would be another. */
+static void hold_outermost(struct work *w, uint32_t triangles)
+{
+    const uint32_t count = triangles / HELD_SHARE < HELD_MOST ? triangles / HELD_SHARE : HELD_MOST;
+    for (uint32_t i = 0; i < count; i++) {
+        const double up = (2.0 * i + 1) / count - 1, out = sqrt(1 - up * up);
+        double most = -HUGE_VAL;
+        uint32_t outermost = 0;
+        for (uint32_t wedge = 0; wedge < w->net.wedge_count; wedge++) {
+            const double *const x = asset_net_x(&w->net, wedge);
+            const double far = out * sqrt(x[0] * x[0] + x[2] * x[2]) + up * x[1];
+            outermost = far > most ? w->net.wedges[wedge].point : outermost;
+            most = fmax(most, far);
+        }
+        w->is_held[outermost] = true;
+    }
+}
+
 static bool begin(struct work *w, const struct model *model)
 {
     *w = (struct work){.live = 0};
@@ -506,8 +528,9 @@ static bool begin(struct work *w, const struct model *model)
     w->versions = calloc(points, sizeof *w->versions);
     w->marks = calloc(points, sizeof *w->marks);
     w->moved = calloc(points, sizeof *w->moved);
+    w->is_held = calloc(points, sizeof *w->is_held);
     w->live = w->net.triangle_count;
-    return w->versions != NULL && w->marks != NULL && w->moved != NULL;
+    return w->versions != NULL && w->marks != NULL && w->moved != NULL && w->is_held != NULL;
 }
 
 static void end(struct work *w)
@@ -516,6 +539,7 @@ static void end(struct work *w)
     free(w->versions);
     free(w->marks);
     free(w->moved);
+    free(w->is_held);
     free(w->heap);
     free(w->pieces);
     free(w->by_piece);
@@ -528,6 +552,7 @@ int asset_simplify(const struct model *model, uint32_t triangles, struct asset_r
                                 .is_simplified = true};
     const bool has_room = begin(&w, model) && rest->indices != NULL;
     if (has_room) {
+        hold_outermost(&w, triangles);
         reduce(&w, triangles);
     }
     for (uint32_t corner = 0; has_room && corner < 3 * w.net.triangle_count; corner++) {

@@ -87,7 +87,7 @@ static void a_plane_counts_for_the_place_alone(void **state)
     }
 }
 
-/* Of a line or a point the distance counts from it, and a sum that rounding made negative is 0. */
+/* A triangle that is a line or a point counts by the distance from that, and a sum that rounding made negative is 0. */
 static void triangles_without_an_area_do_no_harm(void **state)
 {
     (void)state;
