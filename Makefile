@@ -27,7 +27,11 @@ STD = -std=c11 $(WARN)
 
 # A target is chosen by path: a file under firmware/core/kernels/$(CPU)/ replaces the portable one of the same name, and a
 # library that this machine lacks is replaced by the folder that does without it.
-have = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo y)
+# They are asked for at once: processes are most of what a make with nothing to do takes. (An image needs none of them.)
+LIBRARIES := $(if $(OUT),,$(shell for l in assimp libpng libjpeg sdl2 libgpiod libdrm libusb-1.0 cmocka mpfr gmp osmesa glu; do \
+    pkg-config --exists $$l && echo $$l; done 2>/dev/null))
+have = $(filter $(1),$(LIBRARIES))
+package_libs = $(if $(strip $(1)),$(shell pkg-config --libs $(1)))
 ASSIMP ?= $(if $(call have,assimp),assimp,noassimp)
 PNG ?= $(if $(call have,libpng),png,nopng)
 JPEG ?= $(if $(and $(filter png,$(PNG)),$(call have,libjpeg)),jpeg,nojpeg)
@@ -40,7 +44,7 @@ SDL ?= $(if $(call have,sdl2),sdl,nosdl)
 ASSIMP := $(ASSIMP)
 PNG := $(PNG)
 SDL := $(SDL)
-GPIOD ?= $(if $(call have,libgpiod),$(if $(call have,libgpiod >= 2),gpiod2,gpiod1),nogpiod)
+GPIOD ?= $(if $(call have,libgpiod),$(if $(shell pkg-config --exists 'libgpiod >= 2' && echo y),gpiod2,gpiod1),nogpiod)
 USB ?= $(if $(call have,libusb-1.0),usb,nousb)
 DRM ?= $(if $(call have,libdrm),libdrm,nolibdrm)
 GPIOD := $(GPIOD)
@@ -52,15 +56,11 @@ GPIOD_CFLAGS := $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --cflags 
 MESHOPT ?= $(if $(wildcard /usr/include/meshoptimizer.h /usr/local/include/meshoptimizer.h),meshopt,nomeshopt)
 MESHOPT := $(MESHOPT)
 SPIDEV := $(shell $(CC) $(CPPFLAGS) $(CFLAGS) -E -include linux/spi/spidev.h -x c /dev/null >/dev/null 2>&1 && echo y)
-SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
-            $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) $(if $(filter jpeg,$(JPEG)),$(shell pkg-config --libs libjpeg)) $(if $(filter webp,$(WEBP)),$(shell pkg-config --libs libwebp)) \
-            $(if $(filter meshopt,$(MESHOPT)),-lmeshoptimizer) \
-            $(if $(filter gif,$(GIF)),-lgif) \
-            $(if $(filter sdl,$(SDL)),$(shell pkg-config --libs sdl2)) \
-            $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --libs libgpiod)) \
-            $(if $(filter libdrm,$(DRM)),$(shell pkg-config --libs libdrm)) \
-            $(if $(filter usb,$(USB)),$(shell pkg-config --libs libusb-1.0)) $(if $(SPIDEV),-pthread)
-TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu assimp,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
+SIM_LIBS := $(call package_libs,$(filter assimp,$(ASSIMP)) $(if $(filter png,$(PNG)),libpng) $(if $(filter jpeg,$(JPEG)),libjpeg) $(if $(filter webp,$(WEBP)),libwebp) \
+                                $(if $(filter sdl,$(SDL)),sdl2) $(if $(filter-out nogpiod,$(GPIOD)),libgpiod) $(filter libdrm,$(DRM)) \
+                                $(if $(filter usb,$(USB)),libusb-1.0)) \
+            $(if $(filter meshopt,$(MESHOPT)),-lmeshoptimizer) $(if $(filter gif,$(GIF)),-lgif) $(if $(SPIDEV),-pthread)
+TEST_LIBS := $(call package_libs,$(call have,cmocka mpfr gmp osmesa glu assimp))
 
 CPU := $(CPU)
 
@@ -173,20 +173,24 @@ all: $(PROGRAMS) $(B)/rp2350-emulate $(B)/rp2040-registers ## the programs, unde
 
 # What was built with other flags is built again (but while tests run in it: BUILT, of tests/run.sh). So is all where core or
 # app have other files, because the bench links all objects of them that it finds; other files make the libraries again.
-differs = mkdir -p $(@D); $(if $(filter $(B),$(BUILT)),test -e $@ || )echo '$(1)' | cmp -s - $@ ||
+differs = $(if $(filter $(B),$(BUILT)),test -e $@ || )echo '$(1)' | cmp -s - $@ || { mkdir -p $(@D); $(2)echo '$(1)' >$@; }
 $(B)/flags: FORCE
-	@$(call differs,$(ALL_FLAGS)) { rm -rf $(B)/firmware/core $(B)/firmware/app; echo '$(ALL_FLAGS)' >$@; }
+	@$(call differs,$(ALL_FLAGS),rm -rf $(B)/firmware/core $(B)/firmware/app; ) && mkdir -p $(FOLDERS)
 
 $(B)/files: FORCE
-	@$(call differs,$(LIB)) echo '$(LIB)' >$@
+	@$(call differs,$(LIB))
+
+# Folders of objects are made with $(B)/flags, at once: a process for each object takes longer.
+FOLDERS = $(sort $(dir $(if $(OUT),$(IMAGE_OBJ),$(OBJ) $(TEST_OBJ) $(TESTS))))
+folder = @$(if $(filter $(@D)/,$(FOLDERS)),,mkdir -p $(@D))
 
 $(B)/%.o: %.c $(B)/flags
-	@mkdir -p $(@D)
+	$(folder)
 	$(SAY) CC $<
 	$(Q)$(COMPILE) -c $< -o $@
 
 $(B)/%.o: %.S $(B)/flags
-	@mkdir -p $(@D)
+	$(folder)
 	$(SAY) AS $<
 	$(Q)$(CC) $(CFLAGS) $(INC) -MMD -MP -c $< -o $@
 
