@@ -31,7 +31,8 @@ slow_sanitized+=' test_depth test_demos test_ahead test_depth_mesa test_fx_math 
 unit_tests='tests/*/test_*.c tests/*/*/test_*.c'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.
-first='test_targets test_guest_hal test_kernels test_readme test_asset_cli test_guest_usb test_run
+first='test_guest_hal test_page test_asset_cli test_run test_guest_usb test_firmware_rp2350 test_depth_target test_kernels test_size
+test_house test_sim_cli test_readme test_firmware_scene
 long_boards_rp2040 long_firmware_rp2350 exhaustive_fx_math exhaustive_fx long_guest_soak long_guest_panel_boards long_mutants long_proof
 long_debian13 long_bare long_guest_flash_cuts long_guest_panel long_make long_firmware_rp2040 long_firmware_rp2350_emulated long_firmware long_firmware_lm3s long_guest_flash'
 
@@ -150,6 +151,9 @@ list() {
     esac
 }
 
+# What the jobs need of a build directory.
+programs() { list | awk -v dir="$1" '$2 == dir { sub(/\.c$/, "", $3); print $2 "/" $3 }'; } # build directory
+
 # Prints the jobs of this share. A test that knows SHARE takes its own share of what it looks at.
 shared() {
     local line i=0 source
@@ -162,7 +166,8 @@ shared() {
     done
 }
 
-# Dozens of images compile the same files in the same way: ccache compiles them once.
+# Dozens of images compile the same files in the same way: ccache compiles them once. Few are made by `test`: what is saved
+# there is less than what ccache itself takes.
 through_ccache() {
     local name
     CCACHE_PATH=$PATH
@@ -179,23 +184,21 @@ longest_first() { awk -v first="$first" 'BEGIN { n = split(first, name, /[ \n]+/
 
 if [ "$mode" != check ]; then
     tests/tools/packages.sh test || exit
-    ! command -v ccache >/dev/null || through_ccache
+    [ "$mode" = test ] || ! command -v ccache >/dev/null || through_ccache
 fi
 shopt -s nullglob
 rm -rf "$running" && mkdir -p "$running"
 : >"$results"
 begin=$SECONDS
-case "$mode" in
-check) goals="$(list | awk '$2 != "-" { sub(/\.c$/, "", $3); print $2 "/" $3 }')" ;;
-test) goals=test-programs asan_goal=test-programs ;;
-long) goals="test-programs long-programs" asan_goal=test-programs && echo "share $SHARE of the long tests" ;;
-esac
+goals="all $(programs "$B")"
+[ "$mode" != long ] || { goals="all test-programs long-programs" && echo "share $SHARE of the long tests"; }
 echo "building"
 export built= # build directories in which everything was built; what lacks a library is tried again alone
 # shellcheck disable=SC2086 # words
-make -k -s -j"$processors" "$@" B="$B" all $goals >"$B/log/build.log" 2>&1 && built=$B
+make -k -s -j"$processors" "$@" B="$B" $goals >"$B/log/build.log" 2>&1 && built=$B
 if [ "$mode" != check ]; then
-    make -k -s -j"$processors" "$@" B="$B/asan" CFLAGS="$sanitize" "$asan_goal" >"$B/log/build-asan.log" 2>&1 && built="$built $B/asan"
+    # shellcheck disable=SC2046 # words
+    make -k -s -j"$processors" "$@" B="$B/asan" CFLAGS="$sanitize" $(programs "$B/asan") >"$B/log/build-asan.log" 2>&1 && built="$built $B/asan"
 fi
 BUILT="$B $B/asan $(realpath -m "$B")" # no test builds anew beneath another
 export BUILT
