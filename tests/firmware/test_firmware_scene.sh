@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A binary scene in the flash of an emulated RP2350 (CHIP=rp2040: an RP2040): the image draws the simulator's frames of it, says
-# what is wrong with a damaged one, and shows its own demos then, at whatever moment the writing was interrupted
-# (long_firmware_scene.sh: 100 moments, both chips).
+# A binary scene in the flash of an emulated RP2350 with two cores (CHIP=rp2040: an RP2040 with one): the image draws the
+# simulator's frames of it, says what is wrong with a damaged one, and shows its own demos then, at whatever moment the writing
+# was interrupted (long_firmware_scene.sh: 100 moments, both chips).
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -10,15 +10,15 @@ unset MAKEFLAGS
 B=${B:-build}
 MOMENTS=${MOMENTS:-2}
 export CHIP=${CHIP:-rp2350}
-[ "$CHIP" = rp2040 ] && board=pico-display || board=pico2-display
+if [ "$CHIP" = rp2040 ]; then board=pico-display cores=1 made=pico-display-demos; else board=pico2-display-2 cores=2 made=pico2-display-2-demos-cores2; fi
 offset=$((0x80000))
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
 host-sim/emulate/emulate_rp2.sh --install 2>/dev/null || { echo "no rp2040js: needs node, npm and its registry" && exit 77; }
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 make -s -j2 B="$B" "$B/pinhole-asset" "$B/pinhole-sim" "$B/pinhole-wire" || exit 1
-make_image firmware BOARD="$board" >/dev/null || exit 1
-cp "$B/firmware/$board-demos.elf" "$dir/a.elf" || exit 1
+make_image firmware BOARD="$board" CORES="$cores" >/dev/null || exit 1
+cp "$B/firmware/$made.elf" "$dir/a.elf" || exit 1
 "$B/pinhole-asset" tests/host-sim/asset/scene.gltf -o "$dir/scene.phs" --board "$board" || exit 1
 "$B/pinhole-asset" tests/host-sim/asset/moving.gltf -o "$dir/moving.phs" --board "$board" || exit 1
 printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n' >"$dir/older.obj"
@@ -27,9 +27,9 @@ printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 
 erased() { head -c "$1" /dev/zero | tr '\0' '\377'; }
 
 emulate() { # scene, frames: what the image says, and the frames' checksums
-    local image="$B/firmware/$board-demos.bin"
+    local image="$B/firmware/$made.bin"
     { cat "$image" && erased $((offset - $(stat -c %s "$image"))) && cat "$1"; } >"$dir/a.bin"
-    B=$B BOARD=$board CORES=1 host-sim/emulate/emulate_rp2.sh "$dir/a.elf" "$dir/out" "$2" 2>&1
+    B=$B BOARD=$board CORES=$cores host-sim/emulate/emulate_rp2.sh "$dir/a.elf" "$dir/out" "$2" 2>&1
 }
 
 draws_the_simulators_frames() { # scene, demo's name: and they differ
