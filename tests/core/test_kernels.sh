@@ -10,7 +10,7 @@ cd "$(dirname "$0")/../.." || exit 1
 unset MAKEFLAGS
 B=${B:-build}/kernels
 cross=arm-linux-gnueabihf-gcc core=-mcpu=cortex-a15 # one that divides, as a Cortex-M3 does
-mkdir -p "$B"
+rm -rf "$B/once" && mkdir -p "$B"
 for tool in $cross qemu-arm riscv64-unknown-elf-gcc; do
     command -v "$tool" >/dev/null || { echo "no $tool: apt-get install gcc-arm-linux-gnueabihf gcc-riscv64-unknown-elf qemu-user" && exit 77; }
 done
@@ -25,17 +25,30 @@ c_loops() {
 }
 loops=("${loops[@]/#/$kernels/portable/}")
 
-thumb() { # CPU, files: compiles and runs them
-    [ ! -e "$kernels/$1/fx_clz.c" ] || set -- "$@" "$kernels/$1/fx_clz.c"
-    "$cross" "$core" ${without:+"$without"} -O2 -std=c11 -mthumb -static -Wl,-z,noexecstack "-I$kernels/$1" "-I$kernels/portable" "${include[@]}" "${@:2}" -o "$B/$1" &&
+# Compiles files to objects and names them in $linked. Without what is changed they are compiled once with these flags.
+objects() { # compiler and flags...; files in $files
+    local file object kind
+    kind=$B/once/$(cksum <<<"$*" | tr ' ' -)
+    mkdir -p "$kind" && linked=() || return 1
+    for file in "${files[@]}"; do
+        object=$kind/${file//\//.}.o
+        [[ "$file $*" != *"$B/"* && -e $object ]] || "$@" -c "$file" -o "$object" || return 1
+        linked+=("$object")
+    done
+}
+
+thumb() { # CPU: compiles and runs $files
+    local compiler=("$cross" "$core" ${without:+"$without"} -O2 -std=c11 -mthumb)
+    [ ! -e "$kernels/$1/fx_clz.c" ] || files+=("$kernels/$1/fx_clz.c")
+    objects "${compiler[@]}" "-I$kernels/$1" "-I$kernels/portable" "${include[@]}" && "${compiler[@]}" -static -Wl,-z,noexecstack "${linked[@]}" -o "$B/$1" &&
         qemu-arm "$B/$1"
 }
 
-riscv() { # architecture, -cpu of QEMU, files: compiles them without a C library and runs them
+riscv() { # architecture, -cpu of QEMU: compiles $files without a C library and runs them
     local compiler=(riscv64-unknown-elf-gcc "-march=$1" -mabi=ilp32)
-    "${compiler[@]}" -O2 -std=c11 -ffreestanding -fno-builtin -static -nostdlib -Wl,--no-warn-rwx-segments "-I$kernels/portable" "${include[@]}" \
-        -isystem firmware/bare/include -isystem tests/core/kernels/riscv "${@:3}" tests/core/kernels/riscv/start.c firmware/bare/memory.c \
-        "$("${compiler[@]}" -print-libgcc-file-name)" -o "$B/$1" && qemu-riscv32 -cpu "$2" "$B/$1"
+    files+=(tests/core/kernels/riscv/start.c firmware/bare/memory.c)
+    objects "${compiler[@]}" -O2 -std=c11 -ffreestanding -fno-builtin "-I$kernels/portable" "${include[@]}" -isystem firmware/bare/include -isystem tests/core/kernels/riscv &&
+        "${compiler[@]}" -static -nostdlib -Wl,--no-warn-rwx-segments "${linked[@]}" "$("${compiler[@]}" -print-libgcc-file-name)" -o "$B/$1" && qemu-riscv32 -cpu "$2" "$B/$1"
 }
 
 assembled() { # CPU, folder with the .S, name: its lines in $B/NAME.lines
@@ -44,8 +57,8 @@ assembled() { # CPU, folder with the .S, name: its lines in $B/NAME.lines
         if [ -e "$2/$loop.S" ]; then files+=("$2/$loop.S"); else files+=("$kernels/portable/$loop.c"); fi
     done
     case $1 in
-    rv32) riscv "${form:-rv32imc}" "${form_of_cpu:-rv32}" "${files[@]}" >"$B/$3.lines" ;;
-    *) thumb "$1" "${files[@]}" >"$B/$3.lines" ;;
+    rv32) riscv "${form:-rv32imc}" "${form_of_cpu:-rv32}" >"$B/$3.lines" ;;
+    *) thumb "$1" >"$B/$3.lines" ;;
     esac
 }
 
@@ -55,7 +68,8 @@ vector_loops() { # folder with them, name: their lines in $B/NAME.lines
     for loop in "${loops[@]}"; do
         if [ -e "$1/${loop##*/}.c" ]; then files+=("$1/${loop##*/}.c"); else files+=("$loop.c"); fi
     done
-    cc -O2 -std=c11 "-I$1" "-I$kernels/portable" "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${files[@]}" -o "$B/$2" && "$B/$2" >"$B/$2.lines"
+    files+=(tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c)
+    objects cc -O2 -std=c11 "-I$1" "-I$kernels/portable" "${include[@]}" && cc "${linked[@]}" -o "$B/$2" && "$B/$2" >"$B/$2.lines"
 }
 
 same_vector_loops() { vector_loops "$kernels/x86_64" x86_64 && diff "$B/c.lines" "$B/x86_64.lines"; }

@@ -68,7 +68,7 @@ long "same_frames_with_the_portable_files" target portable "" gcc -O2 CPU=portab
 if_there clang "no clang" long "same_frames_with_clang_O3" target clang-O3 "" clang -O3
 if m32; then
     runner=$("$B/m32.probe" 2>/dev/null || echo qemu-i386) # not every kernel runs programs of 32 bits
-    short "same_frames_on_32_bit_x86" target m32 "$runner" "gcc -m32" "-O2 -idirafter /usr/include/x86_64-linux-gnu"
+    long "same_frames_on_32_bit_x86" target m32 "$runner" "gcc -m32" "-O2 -idirafter /usr/include/x86_64-linux-gnu"
 else
     skip "same_frames_on_32_bit_x86" "no gcc-12-multilib"
 fi
