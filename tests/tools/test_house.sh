@@ -195,9 +195,12 @@ a_named_function() { # text
 
 # A source file of this room that includes this header must not compile, for want of the header and nothing else.
 wall() { # room, header
-    mkdir -p "$dir/house" && cp -r Makefile firmware hal boards host-sim "$dir/house" || return 1
+    local status=0
+    [ -e "$dir/house" ] || { mkdir "$dir/house" && cp -r Makefile firmware hal boards host-sim "$dir/house"; } || return 1
     printf '#include "%s"\nextern int nothing;\n' "$2" >"$dir/house/$1/wrong.c"
-    make -s -C "$dir/house" B=walls "walls/$1/wrong.o" >"$dir/wall" 2>&1 && echo "$1 can include $2" && return 1
+    make -s -C "$dir/house" B=walls "walls/$1/wrong.o" >"$dir/wall" 2>&1 || status=$?
+    rm "$dir/house/$1/wrong.c"
+    [ "$status" != 0 ] || { echo "$1 can include $2" && return 1; }
     grep -q "$2: No such file" "$dir/wall" || { cat "$dir/wall" && return 1; }
 }
 
