@@ -110,10 +110,10 @@ uint32_t fx_turn32_from_deg(fx_t deg);
 fx_t fx_lerp_sat(fx_t a, fx_t b, fx_t t);
 
 /* Number of leading zeros of v; 32 for 0. */
-static inline int fx_clz32(uint32_t v);
+inline int fx_clz32(uint32_t v);
 
 /* High 32 bits of the 64-bit product, rounded down. */
-static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b);
+inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b);
 
 /* Full products. Cost: 34, 1. */
 static inline int64_t fx_mul_wide(int32_t a, int32_t b);
@@ -141,7 +141,7 @@ extern const uint16_t fx_rcp_table[256]; /* only for fx_rcp_norm and a CPU's fx_
 #endif
 
 /* floor(2^62 / d) for d = 2^31 .. 2^32 - 1, by Newton's method with products of 32 bits. */
-static inline uint32_t fx_rcp_newton(uint32_t d)
+inline uint32_t fx_rcp_newton(uint32_t d)
 {
     const uint32_t r0 = fx_rcp_table[(d >> 23) & 255];                    /* 2^43 / d, 8.8 bits */
     const int32_t e0 = (int32_t)(0u - r0 * (d >> 4));                     /* 1 - r0 d in 2^-39 */
@@ -158,14 +158,14 @@ static inline uint32_t fx_rcp_newton(uint32_t d)
 uint64_t fx_quotient_bits(uint64_t n, uint64_t d);
 
 /* floor(n / d) of integers, 0 < d < 2^63. On a CPU without a division the compiler's library would take 1 KB for it. */
-static inline uint64_t fx_quotient_u64(uint64_t n, uint64_t d)
+inline uint64_t fx_quotient_u64(uint64_t n, uint64_t d)
 {
     /* NOLINTNEXTLINE(clang-analyzer-core.DivideZero): d > 0 */
     return FX_DIVIDES_32 ? n / d : fx_quotient_bits(n, d);
 }
 
 /* floor(2^62 / d) for d = 2^31 .. 2^32 - 1. */
-static inline uint32_t fx_rcp_top(uint32_t d)
+inline uint32_t fx_rcp_top(uint32_t d)
 {
     return FX_DIVIDES_64 ? (uint32_t)fx_quotient_u64((uint64_t)1 << 62, d) : fx_rcp_newton(d);
 }
@@ -175,7 +175,7 @@ static inline uint32_t fx_rcp_top(uint32_t d)
  * 2^30 .. 2^31. So 1/w = result * 2^(*shift - 62) for an integer w. It is this integer on every CPU, hence monotone.
  * w = 0 counts as 1. Cost: 57, 36.
  */
-static inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
+inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
 {
     const uint32_t v = w != 0 ? w : 1;
     *shift = fx_clz32(v);

@@ -62,7 +62,7 @@ void proof_sides(void)
     const struct ph_setting setting = {.r = &r, .source = PH_FROM_TEXELS};
     is_inside(&r, v);
     CLAIM(!ph_sides_are_small(&s) || s.is_short);
-    CLAIM(excess_of(&setting, &s, v) == LARGE || s.is_short);
+    CLAIM(ph_excess_of(&setting, &s, v) == PH_EXCESS_LARGE || s.is_short);
 }
 
 void proof_small_depths(void)

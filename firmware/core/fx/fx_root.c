@@ -22,6 +22,13 @@ const uint16_t fx_rcp_table[256] = {
     2083, 2078, 2074, 2070, 2066, 2062, 2058, 2054, 2050,
 };
 
+/* Copies of inline functions, for files whose compiler does not inline them. */
+PH_TIER(mesh) extern inline int fx_clz32(uint32_t v);
+PH_TIER(mesh) extern inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b);
+PH_TIER(mesh) extern inline uint32_t fx_rcp_newton(uint32_t d);
+PH_TIER(mesh) extern inline uint32_t fx_rcp_top(uint32_t d);
+PH_TIER(mesh) extern inline uint32_t fx_rcp_norm(uint32_t w, int *shift);
+
 PH_TIER(few) uint32_t fx_rcp_far(uint32_t w, int *shift)
 {
     return fx_rcp_norm(w, shift);

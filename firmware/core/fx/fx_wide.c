@@ -13,6 +13,9 @@ uint64_t fx_mulhi_u64(uint64_t a, uint64_t b)
     return fx_mul_wide_u(ah, bh) + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
 }
 
+/* A copy of the inline function, for files whose compiler does not inline it. */
+PH_TIER(seldom) extern inline uint64_t fx_quotient_u64(uint64_t n, uint64_t d);
+
 /* Long division: d goes up to n (at most 63 times, because d > 0) and down again. */
 PH_TIER(seldom) uint64_t fx_quotient_bits(uint64_t n, uint64_t d)
 {

@@ -71,7 +71,9 @@ enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex
 
 /* float_depths.c: 16.16 codes of float16 of a triangle's corners, plus `bias`, if all three lie in one octave that is
  * not the lowest: there a float is a fixed number with another slope. Else false. No corner is behind the far plane. */
-bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
+typedef bool ph_codes_kernel(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias,
+                             uint32_t d[3]);
+ph_codes_kernel ph_float_depths;
 
 /* What ph_setup_fast takes of the references of a draw. */
 struct ph_fast {
@@ -79,9 +81,10 @@ struct ph_fast {
     uint32_t margin, inner_x, inner_y; /* inner: as in the renderer, for this margin (side + 256); neither is 0 */
     uint32_t side;                     /* PH_SIDE_SMALL or PH_SIDE_SHORT: the sides that it takes are below it */
     const struct ph_lens *lens;        /* NULL: fixed16 */
-    uint32_t bias;                     /* for ph_float_depths; fixed16: what is added to N/w (depth.h) */
+    uint32_t bias;                     /* for set_codes; fixed16: what is added to N/w (depth.h) */
     const uint16_t *ramp;
     const struct ph_material *material;
+    ph_codes_kernel *set_codes; /* ph_float_depths; fixed16: not called */
 };
 
 /* setup_small.c: sets up a listed triangle as ph_setup_small does, if its sides from the first corner and their
@@ -91,18 +94,20 @@ struct ph_fast {
  */
 enum ph_small_setup ph_setup_fast(const struct ph_fast *fast, const struct ph_ref *ref, struct ph_triangle *t);
 
-/* small_gouraud.c: draws a small triangle; depth, pixels: of column 0 of its first row. Returns its pixels. No code is
- * 0 (depth.h has head room), so where the depth is 0 the triangle can be seen. */
-uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
-                          uint32_t stride_bytes);
+/* Draws rows of a triangle; depth, pixels: of column 0 of the first one. Returns their pixels. */
+typedef uint32_t ph_gouraud_kernel(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+                                   uint32_t stride_bytes);
+
+/* small_gouraud.c: draws a small triangle. No code is 0 (depth.h has head room), so where the depth is 0 the triangle
+ * can be seen. */
+ph_gouraud_kernel ph_small_gouraud;
 
 /* long_gouraud.c: draws at most PH_LONG_ROWS rows of any triangle, or all of one whose sides are below PH_SIDE_SHORT,
  * as ph_small_gouraud does. Its rows are cut to the picture; they may be longer than PH_SMALL_COLUMNS. */
 #define PH_LONG_ROWS 16
-uint32_t ph_long_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
-                         uint32_t stride_bytes);
+ph_gouraud_kernel ph_long_gouraud;
 
 /* small_knee.c: draws a triangle of PH_KIND_SMALL_KNEE as ph_small_gouraud does one without a knee. */
-uint32_t ph_small_knee(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);
+ph_gouraud_kernel ph_small_knee;
 
 #endif

@@ -86,4 +86,12 @@ static inline void ph_texel_light_on(uint32_t *level, uint32_t *light, uint32_t 
     }
 }
 
+/* A texel in light of 0 .. 64 32nds. */
+static inline uint16_t ph_mix_in_light(uint16_t texel, uint32_t light)
+{
+    const uint32_t c = ph_mix_spread(texel);
+    return light <= 32 ? ph_mix_folded(ph_mix_lit(c, light))
+                       : ph_mix_folded(PH_MIX_FIELDS - ph_mix_lit(PH_MIX_FIELDS - c, 64 - light));
+}
+
 #endif

@@ -19,12 +19,18 @@ struct ph_texel_line {
     uint32_t bend;
 };
 
+struct ph_texel_run;
+
+/* Draws rows of a run: see ph_texel_run_rows. */
+typedef uint32_t ph_texel_run_kernel(struct ph_texel_run *r, struct ph_texel_row *row);
+
 struct ph_texel_run {
     struct ph_texel_rows row;                               /* until the lower edge takes over; above 0 rows */
     uint32_t x;                                             /* column 0 in the picture, for the caller's use */
     struct ph_texel_line u, v;                              /* units as in ph_tile_rows */
     uint32_t lower_rows, lower_is_right, lower_x, lower_dx; /* 0 rows or more; 0, 1; as left and left_dx */
     ph_texel_row_kernel *draw_row;                          /* of ph_texel_run_rows: draws a row */
+    ph_texel_run_kernel *draw_rows;                         /* calls it; for the caller's use */
 };
 
 /* Draws the rows and returns the number of their pixels. No row has more than PH_SMALL_COLUMNS. Afterwards u and v
@@ -35,7 +41,10 @@ uint32_t ph_texture_small(struct ph_texel_run *r);
  * is not 0 .. 32 everywhere: that one is not drawn, row->level becomes UINT32_MAX, row->light its first light. Returns
  * the number of pixels, also of that row. Of `row` the members are set that are the same in all rows: gd, the masks,
  * texels, light_step, and both bends. */
-uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row);
+ph_texel_run_kernel ph_texel_run_rows;
+
+/* ph_texel_run_rows where draw_row is ph_texel_row_lit. */
+ph_texel_run_kernel ph_texel_run_rows_lit;
 
 /* Goes on from the upper rows to the lower ones, where the lower edge takes over; false if there are none. */
 static inline bool ph_texel_run_lower(struct ph_texel_run *r)

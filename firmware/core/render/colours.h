@@ -7,6 +7,7 @@
 struct ph_clip_vertex;
 struct ph_part_context;
 struct ph_part_lighting;
+struct ph_setting;
 
 /* What the name PH_COLOURS stands for. A config points to it, and nothing else refers to these functions, so the linker
  * leaves them out of a program that does not name it. */
@@ -24,6 +25,9 @@ struct ph_colouring {
     /* planes.h: ph_set_colours; and ph_draw_colours. */
     void (*set_colours)(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                         bool flat);
+    /* setup.h */
+    bool (*take_small_depth)(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
+                             const struct ph_sides *sides, bool fits);
     uint32_t (*draw_colours)(const struct ph_triangle *t, const struct ph_band *band);
 };
 

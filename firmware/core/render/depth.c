@@ -1,11 +1,4 @@
 /* See depth.h. */
-#include "tier.h"
-#include <stdint.h>
-
-/* Copies of these inline functions that the compiler does not inline here lie with what calls them. */
-PH_TIER(mesh) static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b);
-PH_TIER(mesh) static inline uint32_t fx_rcp_norm(uint32_t w, int *shift);
-
 #include "depth.h"
 
 unsigned ph_depth_choose_exponent(const struct ph_projection *projection)

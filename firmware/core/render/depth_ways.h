@@ -9,6 +9,7 @@
 #define PH_DEPTH_WAYS_H
 
 #include "depth.h"
+#include "kernels.h"
 #include "triangle.h"
 
 struct ph_band;
@@ -22,9 +23,8 @@ struct ph_small_texels;
 /* Small triangles and rows whose depth is a float of 16 bits. */
 struct ph_octave_ways {
     /* kernels.h: ph_float_depths, ph_small_knee */
-    bool (*set_codes)(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
-    uint32_t (*draw_knee)(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
-                          uint32_t stride_bytes);
+    ph_codes_kernel *set_codes;
+    ph_gouraud_kernel *draw_knee;
     /* planes.h */
     bool (*small_plane_does)(const uint32_t d[3], int block);
     void (*set_knee)(struct ph_triangle *t, const uint32_t d[3]);

@@ -11,7 +11,7 @@ static bool is_exponent(unsigned bits)
 static bool depth_is_usable(const struct ph_config *config)
 {
     return config->depth != NULL && is_exponent(config->depth_exponent) &&
-           (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
+           ((uintptr_t)config->depth & (ph_depth_bytes(config->depth_format) - 1)) == 0;
 }
 
 /* Length of the inner part of a side of the picture, 1/256 px: a point is inner if it stays further from both borders
@@ -20,6 +20,12 @@ static uint32_t inner(uint32_t size)
 {
     const uint32_t margins = 2 * (PH_SIDE_SMALL + 256);
     return size * 256 > margins ? size * 256 - margins : 0;
+}
+
+static uint32_t bands_of(const struct ph_config *config)
+{
+    const uint32_t lines = config->band_height;
+    return (uint32_t)fx_quotient_u64(config->height + lines - 1, lines);
 }
 
 static int check_config(const struct ph_config *config)
@@ -45,7 +51,7 @@ static int check_config(const struct ph_config *config)
         (config->samples != NULL && config->antialiasing == NULL)) {
         return PH_ERR_INVAL;
     }
-    return config->bin_max < (height + lines - 1) / lines ? PH_ERR_NOMEM : PH_OK;
+    return config->bin_max < bands_of(config) ? PH_ERR_NOMEM : PH_OK;
 }
 
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
@@ -54,25 +60,26 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
     if (r == NULL) {
         return PH_ERR_INVAL;
     }
-    if (status != PH_OK) {
-        *r = (struct ph_renderer){.band_count = 0}; /* which every later call refuses */
-        ph_list_close(r);
-        return status;
+    struct ph_config c = {.width = 0}; /* config may lie in r */
+    if (status == PH_OK) {
+        const int samples_log2 = config->samples != NULL ? 1 : 0;
+        c = *config;
+        c.antialiasing = samples_log2 != 0 ? c.antialiasing : NULL;
+        c.width = (uint16_t)(c.width << samples_log2);
+        c.height = (uint16_t)(c.height << samples_log2);
+        c.band_height = (uint16_t)(c.band_height << samples_log2);
     }
-    const int samples_log2 = config->samples != NULL ? 1 : 0;
-    const uint32_t width = config->width, height = config->height, lines = config->band_height;
-    *r = (struct ph_renderer){.config = *config,
-                              .inner_x = inner(width << samples_log2),
-                              .inner_y = inner(height << samples_log2),
-                              .band_count = (height + lines - 1) / lines,
-                              .samples_log2 = (uint8_t)samples_log2};
-    r->config.antialiasing = samples_log2 != 0 ? config->antialiasing : NULL;
-    r->config.width = (uint16_t)(width << samples_log2);
-    r->config.height = (uint16_t)(height << samples_log2);
-    r->config.band_height = (uint16_t)(lines << samples_log2);
-    ph_list_begin(r);
+    *r = (struct ph_renderer){.band_count = 0}; /* which every later call refuses */
+    if (status == PH_OK) {
+        r->config = c;
+        r->inner_x = inner(c.width);
+        r->inner_y = inner(c.height);
+        r->band_count = bands_of(&c);
+        r->samples_log2 = c.samples != NULL ? 1 : 0;
+        ph_list_begin(r);
+    }
     ph_list_close(r);
-    return PH_OK;
+    return status;
 }
 
 /* format, exponent: as in ph_stats. */

@@ -59,8 +59,8 @@ static inline void ph_lens_depth(struct ph_lens *lens, const struct ph_projectio
 }
 
 /* The lens of a projection for a picture of width x height pixels. format, exponent: as in ph_stats. Errors are those
- * of ph_frame_begin; then the lens stays as it was. */
-static inline int ph_lens_of(struct ph_lens *out, const struct ph_projection *p, int32_t width, int32_t height,
+ * of ph_frame_begin; then the lens is not to be used. */
+static inline int ph_lens_of(struct ph_lens *lens, const struct ph_projection *p, int32_t width, int32_t height,
                              const struct ph_depth_format *format, unsigned exponent)
 {
     if ((p->kind == PH_FISHEYE && p->curved == NULL) || p->far_z <= p->near_z ||
@@ -70,16 +70,15 @@ static inline int ph_lens_of(struct ph_lens *out, const struct ph_projection *p,
     if (p->shift_x > 2 * FX_ONE || p->shift_x < -2 * FX_ONE || p->shift_y > 2 * FX_ONE || p->shift_y < -2 * FX_ONE) {
         return PH_ERR_RANGE;
     }
-    struct ph_lens lens = {.kind = (uint8_t)p->kind, .float_down = (uint8_t)(exponent != 0 ? exponent - 1 : 3)};
+    *lens = (struct ph_lens){.kind = (uint8_t)p->kind, .float_down = (uint8_t)(exponent != 0 ? exponent - 1 : 3)};
     if (p->kind == PH_FISHEYE) {
-        p->curved->set_lens(&lens, p, height);
-    } else if (ph_lens_focal(&lens, p, width, height) != PH_OK) {
+        p->curved->set_lens(lens, p, height);
+    } else if (ph_lens_focal(lens, p, width, height) != PH_OK) {
         return PH_ERR_RANGE;
     }
-    lens.centre_x = ph_lens_centre(width, -p->shift_x);
-    lens.centre_y = ph_lens_centre(height, p->shift_y);
-    ph_lens_depth(&lens, p, format);
-    *out = lens;
+    lens->centre_x = ph_lens_centre(width, -p->shift_x);
+    lens->centre_y = ph_lens_centre(height, p->shift_y);
+    ph_lens_depth(lens, p, format);
     return PH_OK;
 }
 

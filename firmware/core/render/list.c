@@ -96,7 +96,7 @@ PH_TIER(few) void ph_list_begin(struct ph_renderer *r)
     r->after = NULL;
     r->points = NULL;
     r->clouds = PH_NONE;
-    list->band_scale = (((uint32_t)1 << 20) + c->band_height - 1) / c->band_height;
+    list->band_scale = (uint32_t)fx_quotient_u64(((uint32_t)1 << 20) + c->band_height - 1, c->band_height);
     set_end(r);
 }
 
@@ -498,18 +498,19 @@ bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const str
                     : list_at(r, corner[0], corner[2], corner[1], ph_first_row_of(r, v));
 }
 
-/* Whether corners at the end of a piece can have numbers of the last draw, which count from its base. Returns how many
- * bytes to leave out before them, or -1. */
+_Static_assert(sizeof(struct ph_vertex) == 2 * GRAIN && sizeof(struct ph_corner) == 3 * GRAIN, "see number_behind");
+
+/* The number of the first of n corners at the end of a piece, if they can have numbers of the last draw, which count
+ * from its base; or -1. */
 PH_TIER(few)
-static int32_t gap_behind(const struct ph_renderer *r, const struct ph_draw *last, uint32_t size, uint32_t n)
+static int32_t number_behind(const struct ph_renderer *r, const struct ph_draw *last, uint32_t size, uint32_t n)
 {
     if (last == NULL || last->uvs != NULL) {
         return -1;
     }
-    const uint32_t from = last->base & 0x3fffffff, behind = r->list.used[last->base >> 30] - from,
-                   excess = behind % size;
-    const uint32_t gap = excess != 0 ? size - excess : 0;
-    return (behind + gap) / size + n <= 65536 ? (int32_t)gap : -1;
+    const uint32_t grains = (r->list.used[last->base >> 30] - (last->base & NO_ROOM)) / GRAIN;
+    const uint32_t number = size == 2 * GRAIN ? (grains + 1) / 2 : fx_mulhi_u32(grains + 2, 0xaaaaaaab) >> 1; /* / 3 */
+    return number + n <= 65536 ? (int32_t)number : -1;
 }
 
 PH_TIER(few)
@@ -518,14 +519,17 @@ int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *materia
 {
     const struct ph_draw *const last = r->list.last == PH_NONE ? NULL : draw_at(r, r->list.last);
     const uint32_t size = (kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
-    const int32_t gap = gap_behind(r, last, size, n);
     struct ph_draw draw = {.material = material, .kind = kind};
-    uint32_t place = gap >= 0 ? take(r, (int)(last->base >> 30), n * size + (uint32_t)gap) : PH_NONE, number = 0;
-    if (place != PH_NONE) {
-        draw.base = last->base;
-        place += (uint32_t)gap;
-        number = (place - draw.base) / size;
-    } else {
+    int32_t number = number_behind(r, last, size, n);
+    uint32_t place = PH_NONE;
+    if (number >= 0) {
+        const uint32_t piece = last->base >> 30;
+        place = last->base + (uint32_t)number * size;
+        draw.base =
+            take(r, (int)piece, (place & NO_ROOM) + n * size - r->list.used[piece]) != PH_NONE ? last->base : PH_NONE;
+    }
+    if (number < 0 || draw.base == PH_NONE) {
+        number = 0;
         draw.base = place = take_any(r, TRIANGLES, VERTICES, n * size);
     }
     if (place == PH_NONE) {
@@ -544,7 +548,7 @@ int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *materia
             }
         }
     }
-    return ph_list_draw(r, &draw) ? (int32_t)number : -1;
+    return ph_list_draw(r, &draw) ? number : -1;
 }
 
 PH_TIER(few)

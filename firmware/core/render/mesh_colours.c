@@ -3,6 +3,7 @@
 #include "colour.h"
 #include "mesh.h"
 #include "planes.h"
+#include "setup.h"
 
 /* Whether one of the lights is not white. */
 static bool has_colour(const struct ph_scene_light *light)
@@ -55,4 +56,5 @@ const struct ph_colouring ph_colouring = {.parts = &ph_part_lighting,
                                           .vertex_colour = vertex_colour,
                                           .take_colours = take_colours,
                                           .set_colours = ph_set_colours,
+                                          .take_small_depth = ph_take_small_depth,
                                           .draw_colours = ph_draw_colours};

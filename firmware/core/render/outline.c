@@ -1,10 +1,4 @@
 /* See outline.h. */
-#include "tier.h"
-#include <stdint.h>
-
-/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
-PH_TIER(scenery) static inline int fx_clz32(uint32_t v);
-
 #include "outline.h"
 
 #include "edge.h"

@@ -4,16 +4,11 @@
  *
  * Short sides take 32 bits and a reciprocal of 16; all others take products of 64 bits.
  */
-#include "tier.h"
-#include <stdint.h>
-
-/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
-PH_TIER(scenery) static inline int fx_clz32(uint32_t v);
-
 #include "planes.h"
 
 #include "colour.h"
 #include "edge.h"
+#include "texel_light.h"
 
 enum {
     STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
@@ -500,9 +495,7 @@ static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct 
     map->range_log2 = (uint8_t)range;
 }
 
-/* The plane of the light of texels. */
-static PH_NOINLINE void setup_shades(const struct ph_plane_base *s, const struct ph_vertex *const v[3],
-                                     struct ph_triangle *t)
+void ph_set_texel_light(const struct ph_plane_base *s, const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
     int32_t light[3];
     for (int i = 0; i < 3; i++) {
@@ -519,7 +512,7 @@ void ph_set_texel_planes(const struct ph_renderer *r, const struct ph_plane_base
     t->as.large.of.map.light = ph_texture_light(t->material, v[0]);
     setup_texture(r, s, v, uv, t);
     if (t->as.large.of.map.light.shaded) {
-        setup_shades(s, v, t);
+        t->material->shading->texturing.lighting->set_texel_light(s, v, t);
     }
 }
 

@@ -28,17 +28,6 @@ static inline struct ph_texel_light ph_texture_light(const struct ph_material *m
     return (struct ph_texel_light){(uint8_t)light, corners == PH_EACH_CORNER};
 }
 
-/* The light of a texel at a vertex, in 2^-8 of a 32nd: 32 32nds give its colour, 64 white. */
-static inline int32_t ph_texel_light_of(const struct ph_material *material, const struct ph_vertex *v)
-{
-    const fx_t specular = material->specular < 0 ? 0 : material->specular > FX_ONE ? FX_ONE : material->specular;
-    const uint32_t light = (uint32_t)(v->light - PH_LIGHT_ZERO) * (uint32_t)(256 + (specular >> 8)) >> 9;
-    const uint32_t scaled = light * 17624 >> 16; /* 32 * 512 / PH_LIGHT_SPAN = 17624 / 65536 */
-    return scaled > 62 * 256 ? 62 * 256 : (int32_t)scaled;
-}
-
-#define PH_TEXEL_LIGHT_UP 255 /* light is rounded up to a 32nd, since what it scales is rounded down */
-
 static inline struct ph_quotient ph_depth_of(const struct ph_vertex *v)
 {
     return (struct ph_quotient){v->q, v->s};
@@ -88,6 +77,9 @@ bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const str
 /* Sets kind, light and planes of a triangle with a texture. uv: as above. Only shadings with a texture name it. */
 void ph_set_texel_planes(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
                          const fx_t *const uv[3], struct ph_triangle *t);
+
+/* Sets the plane of the light of such a triangle. Only the light of texels names it. */
+void ph_set_texel_light(const struct ph_plane_base *s, const struct ph_vertex *const v[3], struct ph_triangle *t);
 
 /* After ph_set_planes: a triangle of PH_DRAW_COLOURS gets its colours. flat: that of its first corner. */
 void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides, bool flat);

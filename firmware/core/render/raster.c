@@ -109,7 +109,8 @@ PH_TIER(scenery) uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_b
     struct ph_small_triangle *const small = &t->as.small.rows;
     const uint32_t rows = (uint32_t)(band->y1 - t->y_top), upper_rows = small->upper_rows, stride = band->stride;
     const uint32_t lower_rows = small->lower_rows, start = (uint32_t)(t->y_top - band->y0) * stride;
-    const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride, false};
+    const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride,
+                                .draw_gouraud = ph_small_gouraud};
     t->y_top = (int16_t)band->y1;
     if (rows < upper_rows) {
         small->upper_rows = (uint16_t)rows;

@@ -51,7 +51,8 @@ FX_APART struct ph_place ph_cut_rows(const struct ph_triangle *t, const struct p
         r->lower_rows = (uint16_t)(rows - upper_rows);
     }
     const uint32_t stride = band->stride, start = (uint32_t)y * stride;
-    return (struct ph_place){(uint16_t *)band->depth + start, band->pixels + start, stride, false};
+    return (struct ph_place){(uint16_t *)band->depth + start, band->pixels + start, stride,
+                             .draw_gouraud = ph_small_gouraud};
 }
 
 /* Steps n rows down. At most all of the upper rows are passed; then the lower edge takes over. */
@@ -119,9 +120,8 @@ static uint32_t empty_rows(const struct ph_small_triangle *r, uint32_t width)
 static uint32_t draw_upper_rows(const struct ph_triangle *t, const struct ph_small_triangle *r,
                                 const struct ph_place *at, struct ph_small_texels *texels)
 {
-    return texels != NULL  ? t->material->shading->texturing.draw_texel_rows(texels, r, at->depth, at->pixels)
-           : at->long_rows ? ph_long_gouraud(r, at->depth, at->pixels, 2 * at->stride)
-                           : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+    return texels != NULL ? t->material->shading->texturing.draw_texel_rows(texels, r, at->depth, at->pixels)
+                          : at->draw_gouraud(r, at->depth, at->pixels, 2 * at->stride);
 }
 
 /* Draws rows of one octave. The steps of d are multiples of 8, so the shift to codes loses no bit of them. */
@@ -279,7 +279,8 @@ PH_TIER(scenery) uint32_t ph_draw_long(const struct ph_triangle *t, const struct
             r.right_dx = (uint32_t)in.right.dx;
             r.d = depth->base + (uint32_t)in.y * depth->gy;
             r.light = light->base + (uint32_t)in.y * light->gy;
-            const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride, true};
+            const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride,
+                                        .draw_gouraud = ph_long_gouraud};
             count += draw_long_rows(t, band, &r, at, (uint32_t)(in.y_end - in.y));
         }
     }

@@ -16,7 +16,8 @@ static inline bool ph_ends_at_stride(const struct ph_triangle *t)
 struct ph_place {
     uint16_t *depth, *pixels;
     uint32_t stride; /* pixels; see ph_ends_at_stride */
-    bool long_rows;  /* rows may leave the picture, or have more than PH_SMALL_COLUMNS pixels */
+    /* ph_small_gouraud; or ph_long_gouraud, if rows may leave the picture or have more than PH_SMALL_COLUMNS pixels */
+    ph_gouraud_kernel *draw_gouraud;
 };
 
 /* Steps n rows down, which are fewer than the upper ones. */

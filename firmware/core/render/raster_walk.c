@@ -23,16 +23,40 @@ void ph_draw_run24(const struct ph_triangle *t, const struct ph_run *run)
     }
 }
 
+/* Apart: a span has no registers left for the division. */
+static FX_APART uint32_t linear_code(const struct ph_linear *linear, uint32_t over_w)
+{
+    return ph_depth_linear(linear, over_w);
+}
+
+/* Draws a span in one colour with depth in linear-w: d and gd belong to the plane of 1/w. */
+static inline void span_flat_linear(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
+                                    const struct ph_linear *linear, uint16_t colour)
+{
+    for (; n > 0; n--, d += gd) {
+        ph_pixel_flat(pixels++, depth++, linear_code(linear, d), colour);
+    }
+}
+
+static inline void span_gouraud_linear(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
+                                       const struct ph_linear *linear, uint32_t light, uint32_t glight,
+                                       const uint16_t *ramp)
+{
+    for (; n > 0; n--, d += gd, light += glight) {
+        ph_pixel_gouraud(pixels++, depth++, linear_code(linear, d), light, ramp);
+    }
+}
+
 void ph_draw_run_linear(const struct ph_triangle *t, const struct ph_run *run)
 {
     const struct ph_linear *const codes = &t->as.large.depth.over_w.linear;
     if (t->block != PH_BLOCK_LINEAR) {
         ph_draw_run(t, run);
     } else if (t->kind == PH_KIND_GOURAUD) {
-        ph_span_gouraud_linear(run->pixels, run->depth, run->n, run->d, run->gd, codes, run->light, run->glight,
-                               t->material->ramp);
+        span_gouraud_linear(run->pixels, run->depth, run->n, run->d, run->gd, codes, run->light, run->glight,
+                            t->material->ramp);
     } else {
-        ph_span_flat_linear(run->pixels, run->depth, run->n, run->d, run->gd, codes, t->as.large.of.colour);
+        span_flat_linear(run->pixels, run->depth, run->n, run->d, run->gd, codes, t->as.large.of.colour);
     }
 }
 

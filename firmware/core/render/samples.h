@@ -37,6 +37,9 @@ struct ph_antialiasing {
     void (*widen)(struct ph_fast *fast);
     /* Makes a small triangle with a plane of codes that has long rows one of PH_KIND_SMALL_LONG. */
     void (*set_kind)(const struct ph_setting *s, struct ph_triangle *t);
+    /* setup.h */
+    enum ph_excess (*excess_of)(const struct ph_setting *s, const struct ph_sides *sides,
+                                const struct ph_vertex *const v[3]);
     /* Sets up a line. */
     void (*setup_sample_line)(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t);
     /* Draws a triangle of PH_KIND_SMALL_LONG. */

@@ -6,7 +6,7 @@
 #include "kernels.h"
 #include "line.h"
 #include "raster_rows.h"
-#include "setting.h"
+#include "setup.h"
 
 /* Lets ph_setup_fast take longer sides where pixels are samples, if the picture is large enough. */
 PH_TIER(seldom) static void widen(struct ph_fast *fast)
@@ -54,7 +54,7 @@ static uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *ban
     struct ph_small_triangle r = t->as.small.rows;
     struct ph_place at = ph_cut_rows(t, band, &r);
     if (t->block != PH_BLOCK_NONE) {
-        at.long_rows = true;
+        at.draw_gouraud = ph_long_gouraud;
         return band->ways->octaves->draw_rows_split(t, &r, &at, NULL);
     }
     return ph_long_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
@@ -65,5 +65,6 @@ const struct ph_antialiasing ph_antialias_2x2 = {.find_columns = ph_samples_colu
                                                  .resolve_samples = ph_samples_resolve,
                                                  .widen = widen,
                                                  .set_kind = set_kind,
+                                                 .excess_of = ph_excess_of,
                                                  .setup_sample_line = setup_sample_line,
                                                  .draw_long = draw_long};

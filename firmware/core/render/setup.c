@@ -7,8 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Copies of these inline functions that the compiler does not inline here lie with what calls them. */
-PH_TIER(mesh) static inline int fx_clz32(uint32_t v);
+/* A copy of this inline function that the compiler does not inline here lies with what calls it. */
 PH_TIER(mesh) static inline bool ph_is_between(int32_t a, int32_t b, int32_t c, int32_t size);
 
 #include "setup.h"
@@ -51,23 +50,17 @@ static inline bool is_narrow(uint32_t dx1, uint32_t dx2)
     return ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
 }
 
-/* How far a triangle exceeds a small one: NARROW in height only, LONG_ROWS in width as well, LARGE: it is drawn as a
- * large one. */
-enum excess { LARGE, LONG_ROWS, NARROW }; /* NARROW: as narrow as a small one */
-
 PH_TIER(few)
-static PH_NOINLINE enum excess excess_of(const struct ph_setting *s, const struct ph_sides *sides,
-                                         const struct ph_vertex *const v[3])
+enum ph_excess ph_excess_of(const struct ph_setting *s, const struct ph_sides *sides,
+                            const struct ph_vertex *const v[3])
 {
     const uint32_t dx1 = (uint32_t)sides->dx1, dx2 = (uint32_t)sides->dx2, dy = (uint32_t)(sides->dy2 - sides->dy1);
-    const bool takes_narrow = s->source == PH_FROM_TEXELS || s->antialiasing != NULL;
-    if (!takes_narrow || !sides->is_short ||
-        ((dy + PH_SIDE_SHORT) | (dx2 - dx1 + PH_SIDE_SHORT)) >= 2 * PH_SIDE_SHORT ||
+    if (!sides->is_short || ((dy + PH_SIDE_SHORT) | (dx2 - dx1 + PH_SIDE_SHORT)) >= 2 * PH_SIDE_SHORT ||
         !ph_is_between(v[0]->x, v[1]->x, v[2]->x, s->r->config.width) ||
         !ph_is_between(v[0]->y, v[1]->y, v[2]->y, s->r->config.height)) {
-        return LARGE;
+        return PH_EXCESS_LARGE;
     }
-    return is_narrow(dx1, dx2) ? NARROW : LONG_ROWS;
+    return is_narrow(dx1, dx2) ? PH_EXCESS_NARROW : PH_EXCESS_ROWS;
 }
 
 /* Depth of the corners in the format of small triangles, and the block exponent. False if two are 2^31 apart. */
@@ -145,11 +138,9 @@ static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rend
     return true;
 }
 
-/* Gives a triangle with a texture or colours the depth that a small triangle of another shading has, so that depth is
- * the same in all shadings. False if 32 bits are not enough. */
 PH_TIER(figure)
-static PH_NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_setting *s,
-                                         const struct ph_vertex *const v[3], const struct ph_sides *sides, bool fits)
+bool ph_take_small_depth(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
+                         const struct ph_sides *sides, bool fits)
 {
     struct ph_triangle other;
     uint32_t d[3];
@@ -185,8 +176,10 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     }
     if (s->fast.material->depth_bias_slope != 0) {
         fits = false;
-    } else if (small && (colours || t->kind == PH_KIND_TEXTURE) && r->stats.depth_format->is_small) {
-        fits = take_small_depth(t, s, v, sides, fits);
+    } else if (small && colours && r->stats.depth_format->is_small) {
+        fits = r->config.colouring->take_small_depth(t, s, v, sides, fits);
+    } else if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format->is_small) {
+        fits = t->material->shading->texturing.take_small_depth(t, s, v, sides, fits);
     }
     if (!fits && !is_empty(t)) {
         ph_set_exact(r, t->material, v, sides, &t->as.large.depth);
@@ -220,6 +213,7 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->keeps_light = s->source == PH_FROM_LIGHT && s->antialiasing == NULL;
     s->octaves = format->ways->octaves;
     s->fast.lens = s->octaves != NULL ? &r->lens : NULL;
+    s->fast.set_codes = s->octaves != NULL ? s->octaves->set_codes : NULL;
     s->fast.side = PH_SIDE_SMALL;
     s->fast.margin = PH_SIDE_SMALL + 256;
     s->fast.inner_x = r->inner_x;
@@ -274,11 +268,15 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     const struct ph_renderer *r = s->r;
     const bool as_small =
         (done == PH_SMALL_STEEP && s->fast.side == PH_SIDE_SMALL) || (ph_sides_are_small(sides) && is_inside(r, v));
-    const enum excess excess = as_small ? NARROW : excess_of(s, sides, v);
-    const bool small =
-        as_small || (s->antialiasing != NULL && excess != LARGE); /* in all shadings its depth is set up as there */
+    const enum ph_excess excess = as_small ? PH_EXCESS_NARROW
+                                  : s->source == PH_FROM_TEXELS
+                                      ? s->fast.material->shading->texturing.excess_of(s, sides, v)
+                                  : s->antialiasing != NULL ? s->antialiasing->excess_of(s, sides, v)
+                                                            : PH_EXCESS_LARGE;
+    const bool small = as_small || (s->antialiasing != NULL &&
+                                    excess != PH_EXCESS_LARGE); /* in all shadings its depth is set up as there */
     uint32_t d[3];
-    if (!s->is_small || excess == LARGE || (excess == LONG_ROWS && s->source == PH_FROM_TEXELS)) {
+    if (!s->is_small || excess == PH_EXCESS_LARGE || (excess == PH_EXCESS_ROWS && s->source == PH_FROM_TEXELS)) {
         setup_other(s, v, uv, sides, small, t);
         return;
     }
@@ -306,7 +304,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
             set_texture_knee(s, t, d);
         }
     } else {
-        if (excess == LONG_ROWS) {
+        if (excess == PH_EXCESS_ROWS) {
             t->kind = PH_KIND_SMALL_LONG; /* only samples have it */
             t->as.small.of.antialiasing = s->antialiasing;
         } else if (t->block != PH_BLOCK_NONE) {

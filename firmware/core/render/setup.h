@@ -27,6 +27,15 @@ static inline void ph_setup(const struct ph_setting *s, const struct ph_ref *ref
     }
 }
 
+/* How far a triangle exceeds a small one. */
+enum ph_excess ph_excess_of(const struct ph_setting *s, const struct ph_sides *sides,
+                            const struct ph_vertex *const v[3]);
+
+/* Gives a triangle with a texture or colours the depth that a small triangle of another shading has, so that depth is
+ * the same in all shadings. fits: what is returned if it has no other. False if 32 bits are not enough. */
+bool ph_take_small_depth(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
+                         const struct ph_sides *sides, bool fits);
+
 /* Sets up the reference of that number, wherever its draw is; the lens of r must be its own. For the depth lab. */
 void ph_setup_number(const struct ph_renderer *r, uint32_t number, struct ph_triangle *t);
 

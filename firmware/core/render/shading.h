@@ -8,6 +8,7 @@
 #define PH_SHADING_H
 
 #include "light.h"
+#include "sides.h"
 #include "triangle.h"
 
 struct ph_band;
@@ -18,6 +19,7 @@ struct ph_plane_base;
 struct ph_row_piece;
 struct ph_setting;
 struct ph_small_texels;
+struct ph_texel_lighting;
 
 /* Lights vertices: light.h says how. */
 struct ph_lighting {
@@ -33,6 +35,11 @@ struct ph_texturing {
     /* Small triangles: texels.h, small_texels.h. */
     bool (*set_texels)(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
                        const fx_t *const uv[3]);
+    /* setup.h */
+    enum ph_excess (*excess_of)(const struct ph_setting *s, const struct ph_sides *sides,
+                                const struct ph_vertex *const v[3]);
+    bool (*take_small_depth)(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
+                             const struct ph_sides *sides, bool fits);
     uint32_t (*draw_texels)(const struct ph_triangle *t, const struct ph_band *band);
     void (*begin_texels)(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes);
     uint32_t (*draw_texel_rows)(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
@@ -43,6 +50,7 @@ struct ph_texturing {
     void (*set_texel_planes)(const struct ph_renderer *r, const struct ph_plane_base *s,
                              const struct ph_vertex *const v[3], const fx_t *const uv[3], struct ph_triangle *t);
     uint32_t (*draw_textured)(const struct ph_triangle *t, const struct ph_band *band);
+    const struct ph_texel_lighting *lighting; /* texel_light.h; NULL: texels are shown without light */
 };
 
 /* Of which corners a triangle takes the light. */

@@ -81,6 +81,15 @@ static FX_APART void begin_smooth(struct ph_texel_run *r, const struct ph_textur
     r->v.at -= (uint32_t)1 << (15 + ph_texel_row_up(texture));
 }
 
+/* Chooses what draws the rows, by light and filter. */
+static inline void begin_kernels(struct ph_small_texels *s)
+{
+    const struct ph_texel_lighting *const lighting = s->kind.lighting;
+    const bool lit_alone = s->kind.filter == NULL && lighting != NULL;
+    s->run.draw_row = lit_alone ? lighting->draw_nearest : ph_row_kernel(s->kind.filter, lighting);
+    s->run.draw_rows = lit_alone ? lighting->draw_rows : ph_texel_run_rows;
+}
+
 /* See small_texels.h. Light without a filter is the most frequent case that ph_texture_small cannot draw. */
 PH_TIER(figure)
 PH_NOINLINE
@@ -105,9 +114,9 @@ void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *
         begin_clamped(s, t, texture);
         return;
     }
-    s->kind.lit = ph_is_lit(&at->light);
+    s->kind.lighting = ph_is_lit(&at->light) ? t->material->shading->texturing.lighting : NULL;
     s->kind.filter = texture->filter;
-    s->run.draw_row = ph_row_kernel(s->kind.filter, s->kind.lit);
+    begin_kernels(s);
     if (s->kind.filter != NULL) {
         begin_smooth(&s->run, texture);
     }
@@ -137,7 +146,7 @@ static inline __attribute__((always_inline)) uint32_t draw_lit_or_smooth(struct 
     row.level = 0;
     do {
         while (run->row.rows > 0) {
-            count += ph_texel_run_rows(run, &row);
+            count += run->draw_rows(run, &row);
             if (row.level == UINT32_MAX) {
                 draw_beyond_light(s, &row);
             }

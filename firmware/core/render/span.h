@@ -114,24 +114,6 @@ static inline void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n
     }
 }
 
-/* Draws a span in one colour with depth in linear-w: d and gd belong to the plane of 1/w. */
-static inline void ph_span_flat_linear(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
-                                       const struct ph_linear *linear, uint16_t colour)
-{
-    for (; n > 0; n--, d += gd) {
-        ph_pixel_flat(pixels++, depth++, ph_depth_linear(linear, d), colour);
-    }
-}
-
-static inline void ph_span_gouraud_linear(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
-                                          const struct ph_linear *linear, uint32_t light, uint32_t glight,
-                                          const uint16_t *ramp)
-{
-    for (; n > 0; n--, d += gd, light += glight) {
-        ph_pixel_gouraud(pixels++, depth++, ph_depth_linear(linear, d), light, ramp);
-    }
-}
-
 /* How many of the next `left` pixels stay in the octave of d (units of 2^-(32 + block)); at least 1. A d just below 0
  * wraps to the top of the range; it belongs to the lowest octave until it comes back. */
 static inline uint32_t ph_octave_pixels(uint32_t d, uint32_t gd, int octave, int lowest, uint32_t left)

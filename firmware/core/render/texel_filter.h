@@ -7,8 +7,7 @@
 #ifndef PH_TEXEL_FILTER_H
 #define PH_TEXEL_FILTER_H
 
-#include "texel_row.h"
-#include "triangle.h"
+#include "texel_light.h"
 
 struct ph_surface;
 struct ph_tile;
@@ -37,12 +36,13 @@ static inline const struct ph_levels *ph_levels_of(const struct ph_texture *text
     return texture->filter != NULL ? texture->filter->levels : NULL;
 }
 
-/* What draws a row of texels. */
-static inline ph_texel_row_kernel *ph_row_kernel(const struct ph_filter *filter, bool lit)
+/* What draws a row of texels; lighting: NULL without light. */
+static inline ph_texel_row_kernel *ph_row_kernel(const struct ph_filter *filter,
+                                                 const struct ph_texel_lighting *lighting)
 {
-    return filter == NULL ? (lit ? ph_texel_row_lit : ph_texel_row_nearest)
-           : lit          ? filter->draw_lit_row
-                          : filter->draw_row;
+    return filter == NULL     ? (lighting != NULL ? lighting->draw_nearest : ph_texel_row_nearest)
+           : lighting != NULL ? filter->draw_lit_row
+                              : filter->draw_row;
 }
 
 #endif

@@ -7,14 +7,13 @@
 
 #include "band.h"
 #include "span.h"
+#include "texel_light.h"
 #include "texel_mix.h"
 
-/* A texel in light of 0 .. 64 32nds. */
+/* Apart: the loop over pixels has no registers left for it. */
 PH_TIER(scenery) static FX_APART uint16_t shade(uint16_t texel, uint32_t light)
 {
-    const uint32_t c = ph_mix_spread(texel);
-    return light <= 32 ? ph_mix_folded(ph_mix_lit(c, light))
-                       : ph_mix_folded(PH_MIX_FIELDS - ph_mix_lit(PH_MIX_FIELDS - c, 64 - light));
+    return ph_mix_in_light(texel, light);
 }
 
 /* Light in 32nds, from 2^-24. Planes may err by a little beyond the corners. */
@@ -28,7 +27,7 @@ static PH_NOINLINE uint16_t sample_lit_or_smooth(const struct ph_tile_kind *k, u
 {
     const uint16_t texel =
         k->texel != NULL ? k->texel(k, u, v) : ph_texel_in(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
-    return k->lit ? shade(texel, light_of(light)) : texel;
+    return k->lighting != NULL ? shade(texel, light_of(light)) : texel;
 }
 
 /* Draws n pixels from column i of the tile on, along one piece of the depth, where ph_texture_tile cannot. */
@@ -121,18 +120,9 @@ static inline void set_row_way(struct ph_texel_way *to, const struct ph_texel_wa
     to->bend = way->bend;
 }
 
-/* Brings the light of a row's ends into its range. */
-static FX_APART void clamp_light(uint32_t *light, uint32_t *glight, uint32_t n)
-{
-    const uint32_t most = ((uint32_t)63 << 24) - 1, last = *light + (n - 1) * *glight;
-    const uint32_t from = (int32_t)*light < 0 ? 0 : *light > most ? most : *light;
-    const uint32_t to = (int32_t)last < 0 ? 0 : last > most ? most : last;
-    *light = from;
-    *glight = n > 1 ? (uint32_t)((int32_t)(to - from) / (int32_t)(n - 1)) : 0;
-}
-
 /* Sets the light of a row. Returns the most, in 32nds. */
-static inline uint32_t set_row_light(struct ph_texel_row *row, uint32_t light, uint32_t glight)
+static inline uint32_t set_row_light(const struct ph_texel_lighting *lighting, struct ph_texel_row *row, uint32_t light,
+                                     uint32_t glight)
 {
     const uint32_t n = row->n, more = (n - 1) & 3; /* of the first four, behind the first */
     if (glight == 0) {
@@ -142,30 +132,13 @@ static inline uint32_t set_row_light(struct ph_texel_row *row, uint32_t light, u
         return row->level;
     }
     if (((light | (light + (n - 1) * glight)) >> 30) != 0) {
-        clamp_light(&light, &glight, n);
+        lighting->clamp_light(&light, &glight, n);
     }
     const uint32_t half = (uint32_t)((int32_t)glight >> 1), last = light + (n - 1) * glight;
     row->level = (light + more * half) >> 24;
     row->light = light + (more + 2) * glight + half;
     row->light_step = 4 * glight;
     return (light > last ? light : last) >> 24;
-}
-
-/* Draws a row in which light is beyond 32 32nds: a highlight. */
-static FX_APART void draw_shining_row(const struct ph_texel_row *row, const struct ph_filter *filter)
-{
-    struct ph_texel_walk u = row->u, v = row->v;
-    uint32_t d = row->d, level = row->level, light = row->light;
-    for (uint32_t i = 0, n = row->n; n > 0; i++, n--, d += row->gd) {
-        if (ph_nearer16(&row->depth[i], d)) {
-            const uint16_t texel = filter != NULL ? filter->texel_of_row(row, u.at, v.at)
-                                                  : ph_texel_nearest(row, u.at, v.at, ph_texel_v_down(row->v_mask));
-            row->pixels[i] = shade(texel, level);
-        }
-        ph_texel_walk_on(&u, n);
-        ph_texel_walk_on(&v, n);
-        ph_texel_light_on(&level, &light, row->light_step, n);
-    }
 }
 
 /* Where u or v lies outside a clamped texture: `bits` that it has there, and how far before that the last texel begins
@@ -208,10 +181,10 @@ PH_TIER(seldom) static uint32_t clamp_way(struct ph_texel_way *way, const struct
 
 void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, uint32_t light, uint32_t glight)
 {
-    if (k->lit && set_row_light(row, light, glight) > 32) {
-        draw_shining_row(row, k->filter);
+    if (k->lighting != NULL && set_row_light(k->lighting, row, light, glight) > 32) {
+        k->lighting->draw_shining_row(row, k->filter);
     } else {
-        ph_texel_row_kernel *const draw_row = ph_row_kernel(k->filter, k->lit);
+        ph_texel_row_kernel *const draw_row = ph_row_kernel(k->filter, k->lighting);
         draw_row(row);
     }
 }

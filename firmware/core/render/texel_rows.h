@@ -2,6 +2,7 @@
 #ifndef PH_TEXEL_ROWS_H
 #define PH_TEXEL_ROWS_H
 
+#include "shading.h"
 #include "texel_filter.h"
 #include "texel_map.h"
 #include "texel_row.h"
@@ -14,13 +15,14 @@ struct ph_tile_kind {
     const uint16_t *texels;
     uint32_t u_mask, v_mask, log2_width;
     int u_down, v_down; /* from u, v to whole texels */
-    bool lit;           /* light is not full everywhere */
     bool lit_or_filtered;
     bool clamp;
-    bool depth24;                   /* as in struct ph_band */
-    bool fast;                      /* ph_texture_tile can draw them */
-    int32_t from, end;              /* columns of the picture, as the tile's columns count */
-    const struct ph_filter *filter; /* NULL: nearest texels; and its `texel`, which is read for each pixel */
+    bool depth24;      /* as in struct ph_band */
+    bool fast;         /* ph_texture_tile can draw them */
+    int32_t from, end; /* columns of the picture, as the tile's columns count */
+    /* NULL: nearest texels; light is full everywhere. `texel` is the filter's, which is read for each pixel. */
+    const struct ph_filter *filter;
+    const struct ph_texel_lighting *lighting;
     uint16_t (*texel)(const struct ph_tile_kind *k, uint32_t u, uint32_t v);
 };
 
@@ -46,10 +48,10 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_tile_rows
     k->u_mask = r->row.u_mask = (1u << width) - 1;
     k->v_mask = (1u << height) - 1;
     k->log2_width = map->log2_width;
-    k->lit = ph_is_lit(light);
+    k->lighting = ph_is_lit(light) ? k->triangle->material->shading->texturing.lighting : NULL;
     k->filter = map->filter;
     k->texel = map->filter != NULL ? map->filter->texel : NULL;
-    k->lit_or_filtered = k->lit || map->filter != NULL;
+    k->lit_or_filtered = k->lighting != NULL || map->filter != NULL;
     r->row.v_mask = k->v_mask << width;
     r->u_outside = r->v_outside = 0;
     if (k->fast) {

@@ -138,7 +138,7 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
         texture = &map;
     }
     set_texels(&k, tile, s, texture, &r);
-    if (k.lit) {
+    if (k.lighting != NULL) {
         set_light(&r, &t->as.large.of.map, tile->x, (uint32_t)rows.y0);
     }
     for (int32_t skipped = y; skipped < rows.y0; skipped++) {

@@ -2,12 +2,6 @@
  * Rows of a tile in one or two octaves of depth: each is drawn in 16.16 codes on both sides of the line on which the
  * octaves meet, which is walked as an edge. See tile_depth.h.
  */
-#include "tier.h"
-#include <stdint.h>
-
-/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
-PH_TIER(scenery) static inline int fx_clz32(uint32_t v);
-
 #include "tile_depth.h"
 
 #include "edge.h"

@@ -17,7 +17,7 @@ struct over_w {
 
 /* Divides exactly u/w and v/w (see setup_texture): u and v below 8 of their range. */
 PH_TIER(scenery)
-static inline struct over_w divide(uint32_t over_w, uint32_t u_over_w, uint32_t v_over_w, int32_t *u, int32_t *v)
+static FX_APART struct over_w divide(uint32_t over_w, uint32_t u_over_w, uint32_t v_over_w, int32_t *u, int32_t *v)
 {
     const uint32_t w = over_w - 4 < ((uint32_t)1 << 30) - 4 ? over_w : 4; /* 2^29 with head room */
     struct over_w at;

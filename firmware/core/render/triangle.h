@@ -125,6 +125,13 @@ enum ph_kind {
     PH_KIND_ANY_LINE
 };
 
+/* How far a triangle exceeds a small one. */
+enum ph_excess {
+    PH_EXCESS_LARGE,  /* it is drawn as a large one */
+    PH_EXCESS_ROWS,   /* in height and width */
+    PH_EXCESS_NARROW, /* in height only */
+};
+
 /* What the texels of a triangle are drawn with. */
 struct ph_texel_light {
     uint8_t light; /* 32nds, 0 .. 32, unless it is shaded */

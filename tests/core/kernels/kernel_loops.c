@@ -220,7 +220,8 @@ static uint32_t try_setup_fast(uint32_t h)
                                  .inner_y = 1000 + below(20000),
                                  .bias = below(1 << 20),
                                  .ramp = below(4) > 0 ? ramp : NULL,
-                                 .material = &material};
+                                 .material = &material,
+                                 .set_codes = ph_float_depths};
     const uint16_t first = (uint16_t)below(2), second = (uint16_t)(first + 1);
     const struct ph_sides sides = sides_of(&corner[first], &corner[second], &corner[3]);
     const struct ph_ref ref = {{first, sides.area > 0 ? second : 3, sides.area > 0 ? 3 : second}, 0};
@@ -479,13 +480,14 @@ static uint32_t try_texel_run(uint32_t h)
     static ph_texel_row_kernel *const rows[4] = {ph_texel_row_nearest, ph_texel_row_lit, ph_texel_row_smooth,
                                                  ph_texel_row_smooth_lit};
     r.draw_row = rows[below(4)];
+    r.draw_rows = r.draw_row == ph_texel_row_lit ? ph_texel_run_rows_lit : ph_texel_run_rows;
     struct ph_texel_row row = {.gd = r.row.gd, .u_mask = r.row.u_mask, .v_mask = r.row.v_mask, .texels = texels};
     row.light_step = 4 * r.row.glight;
     row.u.bend = 4 * r.u.bend;
     row.v.bend = 4 * r.v.bend;
     uint32_t count = 0;
     do {
-        count += ph_texel_run_rows(&r, &row);
+        count += r.draw_rows(&r, &row);
     } while (row.level != UINT32_MAX && ph_texel_run_lower(&r));
     h = word(h, count);
     h = hash(hash(hash(h, &r.u, sizeof r.u), &r.v, sizeof r.v), &r.row.left, 3 * sizeof r.row.left);

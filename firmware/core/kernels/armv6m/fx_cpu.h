@@ -14,7 +14,7 @@ extern const uint8_t fx_clz_table[256]; /* leading zeros of 8 bits: fx_clz.c */
 #define FX_MULTIPLIES 0                         /* whether a product of 64 bits takes a few instructions */
 #define FX_APART      __attribute__((noinline)) /* 8 registers do not hold two of the stages at once */
 
-static inline int fx_clz32(uint32_t v)
+inline int fx_clz32(uint32_t v)
 {
     int zeros = 16;
     if (v >> 16 != 0) {
@@ -25,7 +25,7 @@ static inline int fx_clz32(uint32_t v)
 }
 
 /* Four products of 16 bits; the sums of two never carry out of 32 bits. */
-static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
+inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
 {
     const uint32_t al = a & 0xffff, ah = a >> 16;
     const uint32_t bl = b & 0xffff, bh = b >> 16;

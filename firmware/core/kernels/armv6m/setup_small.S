@@ -65,10 +65,11 @@ apart: @ part of ph_setup_fast: the corners have other exponents
     mov r0, r10
     movs r1, r5
     ldr r2, [r0, #fast_bias]
+    ldr r4, [r0, #fast_set_codes]
     ldr r0, [r0, #fast_lens]
     movs r3, r5
     adds r3, #own_depths - own_corners
-    bl ph_float_depths
+    blx r4
     cmp r0, #0
     beq general
     mov r2, r11

@@ -1,5 +1,5 @@
-@ ph_texel_run_rows (see texture_small.h) for ARMv6-M. A row takes 123 instructions beside those of its kernel; with light
-@ alone 95, and 29 more if the light changes.
+@ ph_texel_run_rows and ph_texel_run_rows_lit (see texture_small.h) for ARMv6-M. A row takes 123 instructions beside those of
+@ its kernel; with light alone 95, and 29 more if the light changes.
 @
 @ Registers: r7 first column, r8 the struct ph_texel_run, r9 the struct ph_texel_row, r10 pixels so far, r11 r12 lr
 @ scratch: lr first column, r12 its pair (see texture_tile.h).
@@ -47,14 +47,7 @@
 
     function ph_texel_run_rows @ r0: struct ph_texel_run, r1: struct ph_texel_row
     save_registers
-    movs r2, r0
-    adds r2, #run_draw
-    ldr r2, [r2]
-    ldr r3, lit_here
-    cmp r2, r3
-    bne 1f
-    b lit
-1:  movs r2, #0
+    movs r2, #0
 any: @ r2 pixels so far
     mov r8, r0
     mov r9, r1
@@ -164,12 +157,11 @@ empty:
     line_down
     movs r4, #1
     b 2b
-    .p2align 2
-lit_here:
-    .word ph_texel_row_lit
+    .size ph_texel_run_rows, . - ph_texel_run_rows
 
-    @ Rows with light alone, of nearest texels: the light of a row and all that its pixels need stay on the stack.
-lit:
+    @ The light of a row and all that its pixels need stay on the stack.
+    function ph_texel_run_rows_lit @ r0: struct ph_texel_run, r1: struct ph_texel_row
+    save_registers
     sub sp, #frame
     str r0, [sp, #self]
     str r1, [sp, #row_of]
@@ -311,5 +303,9 @@ lit_shining: @ this row and the next ones are drawn as at `any`
     ldr r1, [sp, #row_of]
     ldr r2, [sp, #count]
     add sp, #frame
-    b any
-    .size ph_texel_run_rows, . - ph_texel_run_rows
+    ldr r3, any_here
+    bx r3
+    .p2align 2
+any_here:
+    .word any + 1
+    .size ph_texel_run_rows_lit, . - ph_texel_run_rows_lit

@@ -203,8 +203,9 @@ apart: @ the corners have other exponents
     mov r3, r2
     sub r1, r2, #own_depths - own_corners
     ldr r2, [r0, #fast_bias]
+    ldr r12, [r0, #fast_set_codes]
     ldr r0, [r0, #fast_lens]
-    bl ph_float_depths
+    blx r12
     cmp r0, #0
     mov r0, r4
     mov r2, r5

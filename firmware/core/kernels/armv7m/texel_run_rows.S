@@ -21,6 +21,8 @@
     stm lr, {r0-r2}
     .endm
 
+    .global ph_texel_run_rows_lit
+    .thumb_set ph_texel_run_rows_lit, ph_texel_run_rows
     function ph_texel_run_rows @ r0: struct ph_texel_run, r1: struct ph_texel_row
     push {r3-r11, lr}
     mov r9, r0

@@ -15,12 +15,12 @@ extern "C" {
 #define FX_MULTIPLIES 1                                     /* 1: a product of 64 bits takes a few instructions */
 #define FX_APART      inline __attribute__((always_inline)) /* 13 registers or more: calls are what costs */
 
-static inline int fx_clz32(uint32_t v)
+inline int fx_clz32(uint32_t v)
 {
     return v != 0 ? __builtin_clz(v) : 32;
 }
 
-static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
+inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
 {
     return (uint32_t)((uint64_t)a * b >> 32);
 }

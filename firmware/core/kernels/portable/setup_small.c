@@ -111,7 +111,7 @@ static inline bool fast_depths(const struct ph_fast *fast, const struct ph_verte
         return fixed_depths(fast->bias, v, d);
     }
     return v[0]->s == v[1]->s && v[0]->s == v[2]->s ? ph_float_depths_alike(fast->lens, v, fast->bias, d)
-                                                    : ph_float_depths(fast->lens, v, fast->bias, d);
+                                                    : fast->set_codes(fast->lens, v, fast->bias, d);
 }
 
 /* Whether a corner keeps a pixel away from the borders. */

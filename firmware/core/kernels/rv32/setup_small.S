@@ -215,8 +215,9 @@ apart: // the corners have other exponents
     addi a1, a2, own_corners
     addi a3, a2, own_depths
     lw a2, fast_bias(a0)
+    lw t0, fast_set_codes(a0)
     lw a0, fast_lens(a0)
-    call ph_float_depths
+    jalr t0
     mv t0, a0
     mv a0, s10
     mv a2, s11

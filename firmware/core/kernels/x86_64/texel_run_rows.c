@@ -132,8 +132,13 @@ static inline uint64_t draw_rows(struct ph_texel_run *r, const struct lit_texels
 
 uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row)
 {
-    if (r->draw_row != ph_texel_row_lit || texels2_down(r->row.v_mask) != TEXELS2_SMALL || !texels2_fit(r)) {
-        return ph_texel_run_rows_portable(r, row);
+    return ph_texel_run_rows_portable(r, row);
+}
+
+uint32_t ph_texel_run_rows_lit(struct ph_texel_run *r, struct ph_texel_row *row)
+{
+    if (texels2_down(r->row.v_mask) != TEXELS2_SMALL || !texels2_fit(r)) {
+        return ph_texel_run_rows(r, row);
     }
     struct texels2_lines l = texels2_lines_of(r);
     const struct lit_texels t = texels_of(r, l.bend);
@@ -142,5 +147,5 @@ uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row)
         count += draw_rows(r, &t, &l);
     } while (r->row.rows == 0 && ph_texel_run_lower(r));
     texels2_give_back(&l, r);
-    return (uint32_t)count + (r->row.rows > 0 ? ph_texel_run_rows_portable(r, row) : 0);
+    return (uint32_t)count + (r->row.rows > 0 ? ph_texel_run_rows(r, row) : 0);
 }

@@ -18,12 +18,12 @@ int fx_clz_far(uint32_t v);
 uint32_t fx_mulhi_far(uint32_t a, uint32_t b);
 uint32_t fx_rcp16_far(uint32_t d);
 
-static inline int fx_clz32(uint32_t v)
+inline int fx_clz32(uint32_t v)
 {
     return fx_clz_far(v);
 }
 
-static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
+inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
 {
     return fx_mulhi_far(a, b);
 }
