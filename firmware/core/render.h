@@ -103,6 +103,10 @@ enum ph_blend_kind {
  * nearest texel, without light; alphas have their own filter. The renderer takes 6 to 32 bytes for each column of the
  * picture, and a byte for each row, from the triangle budget in a frame that has some; without room, with draw =
  * NULL, or with alphas that draw has not the code for, their triangles are left out.
+ * Cost of a pixel, in instructions on a Cortex-M0+ (tests/bench/blends.sh), in one colour (opaque 8), along a ramp (10)
+ * and of nearest texels (22): ALPHA 21, 34, 57; ADD 36, 38, 61; TIMES 51, 53, 75, and 15 more if alpha is below 32;
+ * KEY 65 (bilinear 152, opaque 67), MASK 102 and ALPHA with alphas 146 of nearest texels. A hidden pixel takes that of
+ * the opaque form and 6.
  */
 struct ph_blend {
     const struct ph_blending *draw;  /* ph_draw_blended: a program links what blends if it names this; or

@@ -92,3 +92,7 @@ case " $* " in *' m3 '*)
     say "growth"
     tests/bench/growth.sh m3 ;;
 esac
+case " $* " in *' m0plus '*)
+    say "blends"
+    tests/bench/blends.sh m0plus ;;
+esac

@@ -6,7 +6,7 @@
  * (tests/core/test_kernels.sh), so a change of the arithmetic in one is a change in all. Assembly takes at most 100
  * bytes of stack, calls nothing but kernels and what stands in their files, and knows the structs by offsets.inc.
  *
- * Kernels with a struct of their own have a header: vertices.h, cull.h, texture_tile.h, texture_small.h.
+ * Kernels with a type of their own have a header: vertices.h, cull.h, pairs.h, texture_tile.h, texture_small.h.
  */
 #ifndef PH_KERNELS_H
 #define PH_KERNELS_H
@@ -34,6 +34,10 @@ void ph_span_flat(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uin
  * code, and gd its step per pixel. */
 void ph_span_blend(uint16_t *pixels, const uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint32_t source,
                    uint32_t rest);
+
+/* span_seen.c: how many pixels, of the first ones of n, are seen: their codes are above the depth, or as much, if
+ * `same`; or how many are not, if not `seen`. */
+uint32_t ph_span_seen(const uint16_t *codes, const uint16_t *depth, uint32_t n, bool same, bool seen);
 
 /* What ph_line_pixels takes of a line. */
 struct ph_line_run {

@@ -13,6 +13,7 @@
 #include "edge.h"
 #include "fog.h"
 #include "kernels.h"
+#include "pairs.h"
 #include "points.h"
 #include "raster.h"
 #include "raster_rows.h"
@@ -24,6 +25,10 @@ struct blend_pass {
     const struct ph_band *band;
     uint32_t place, room[2]; /* memory for rows of its own; how many pixels they can have, without and with keys */
     uint32_t fragments;
+    const struct ph_triangle *triangle; /* the one that is drawn */
+    uint16_t *colours, *deciders;       /* column 0 of the first of its own rows; the same of the texels that decide */
+    void *codes;
+    uint32_t x, y; /* of the pixel that is laid first */
     const struct ph_blend *blend;
     uint32_t alpha;      /* of the whole draw, 0 .. 32 */
     uint16_t mask, hole; /* cut-out: no pixel is where the bits of the mask are these in a texel that decides */
@@ -48,84 +53,157 @@ static bool box_of(const struct blend_pass *o, const struct ph_ref *ref, struct 
 
 /* ---- rows over the band ----------------------------------------------------------------------------------------- */
 
-/* A row of a triangle, and the row of the band over which it is laid; from its first column on. */
-struct rows {
-    uint16_t *colours, *keys, *pixels;
-    void *codes, *depth;
-};
-
-static inline uint32_t code_of(const void *depth, uint32_t i, bool depth24)
+/* Lays n pairs over others by kind. */
+static void lay_pairs(uint32_t kind, ph_pair *to, const ph_pair *from, uint32_t n, uint32_t share)
 {
-    return depth24 ? ((const uint32_t *)depth)[i] : ((const uint16_t *)depth)[i];
-}
-
-/* Whether a pixel is hidden or empty; more: 1, or 0 if it is seen over the same depth, too. */
-static inline __attribute__((always_inline)) bool is_hidden(const struct rows *row, uint32_t i, uint32_t more,
-                                                            bool depth24)
-{
-    const uint32_t code = code_of(row->codes, i, depth24);
-    return code == 0 || code < code_of(row->depth, i, depth24) + more;
-}
-
-/* The first pixel from i on that is neither hidden nor empty; n if there is none below n. */
-static PH_NOINLINE uint32_t next_seen(const struct rows *row, uint32_t i, uint32_t n, uint32_t more, bool depth24)
-{
-    while (!depth24 && i < n && is_hidden(row, i, more, false)) {
-        i++;
+    if (kind == PH_BLEND_TIMES) {
+        ph_pairs_times(to, from, n);
+    } else if (kind == PH_BLEND_ADD) {
+        ph_pairs_add(to, from, n, share);
+    } else {
+        ph_pairs_mix(to, from, n, share);
     }
-    while (depth24 && i < n && is_hidden(row, i, more, true)) {
+}
+
+/* Lays n pixels over others by kind. One that does not stand as half of the same word in both goes alone. */
+static void lay_pixels(uint32_t kind, uint16_t *to, const uint16_t *from, uint32_t n, uint32_t share)
+{
+    const uintptr_t apart = (uintptr_t)to ^ (uintptr_t)from;
+    while (n > 0) {
+        uint32_t some = 1;
+        if (n > 1 && ((apart | (uintptr_t)to) & 2) == 0) {
+            some = n & ~1u;
+            lay_pairs(kind, (ph_pair *)(void *)to, (const ph_pair *)(const void *)from, some / 2, share);
+        } else {
+            ph_pair under = *to, over = *from;
+            lay_pairs(kind, &under, &over, 1, share);
+            *to = (uint16_t)under;
+        }
+        to += some;
+        from += some;
+        n -= some;
+    }
+}
+
+/* Lays n pixels of a cut-out triangle over the band, those that are seen. */
+static void lay_cut_out(const struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n)
+{
+    const uint16_t *const keys = o->deciders + own, *const colours = o->colours + own;
+    uint16_t *const pixels = o->band->pixels + at;
+    const uint32_t mask = o->mask, hole = o->hole;
+    for (uint32_t i = 0; i < n; i++) {
+        if ((keys[i] & mask) == hole) {
+            continue;
+        }
+        pixels[i] = colours[i];
+        if (o->band->depth24) {
+            ((uint32_t *)o->band->depth)[at + i] = ((const uint32_t *)o->codes)[own + i];
+        } else {
+            ((uint16_t *)o->band->depth)[at + i] = ((const uint16_t *)o->codes)[own + i];
+        }
+    }
+}
+
+/* Mixes n pixels by the alphas of their texels. to: the band's, or (ADD) the triangle's own, which are scaled. */
+static void lay_alphas(const struct blend_pass *o, uint16_t *to, const uint16_t *colours, const uint16_t *keys,
+                       uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) { /* by 63: exact up to 32 x 63 + 31 */
+        const uint32_t alpha = (o->alpha * (ph_wire16(keys[i]) >> 5 & 63) + 31) * 33289 >> 21;
+        to[i] = ph_mix(to == colours ? 0 : to[i], colours[i], alpha);
+    }
+}
+
+/* Lays n pixels that are seen over the band. */
+static void lay_seen(struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n)
+{
+    uint16_t *const colours = o->colours + own, *const pixels = o->band->pixels + at;
+    const bool depth24 = o->band->depth24;
+    uint32_t kind = o->blend->kind, alpha = o->alpha;
+    if (kind < PH_BLEND_TIMES) {
+        lay_cut_out(o, own, at, n);
+        return;
+    }
+    if (kind == PH_BLEND_TIMES && (alpha < 32 || o->has_keys)) {
+        lay_pixels(PH_BLEND_TIMES, colours, pixels, n, 0);
+        kind = PH_BLEND_ALPHA;
+    } else if (kind != PH_BLEND_TIMES && o->r->fog != NULL) { /* what is multiplied is fogged with what is behind */
+        o->r->fog->fog_run(&o->fog, colours, ph_depth_from(o->codes, own, depth24), n, depth24);
+    }
+    if (o->has_keys) {
+        lay_alphas(o, kind == PH_BLEND_ADD ? colours : pixels, colours, o->deciders + own, n);
+        alpha = 32;
+    }
+    if (kind == PH_BLEND_ADD || !o->has_keys) {
+        lay_pixels(kind, pixels, colours, n, alpha);
+    }
+}
+
+/* The number of the first of n pixels that are seen, or that are hidden. */
+static uint32_t count_pixels(const struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n, bool same, bool seen)
+{
+    if (!o->band->depth24) {
+        return ph_span_seen((const uint16_t *)o->codes + own, (const uint16_t *)o->band->depth + at, n, same, seen);
+    }
+    const uint32_t *const codes = (const uint32_t *)o->codes + own, *const depth =
+                                                                        (const uint32_t *)o->band->depth + at;
+    uint32_t i = 0;
+    while (i < n && (codes[i] + same > depth[i]) == seen) {
         i++;
     }
     return i;
 }
 
-/* Lays n pixels of a cut-out triangle over the band. */
-static void lay_cut_out(const struct blend_pass *o, const struct rows *row, uint32_t n)
+/* Lays n pixels of a row over the band. */
+static void lay_over(struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n) /* called as lay_row */
 {
-    const bool depth24 = o->band->depth24;
-    for (uint32_t i = 0; i < n; i++) {
-        if (is_hidden(row, i, 1, depth24)) {
-            i = next_seen(row, i + 1, n, 1, depth24) - 1; /* so that i++ comes to it */
-            continue;
-        }
-        if ((row->keys[i] & o->mask) == o->hole) {
-            continue;
-        }
-        row->pixels[i] = row->colours[i];
-        if (depth24) {
-            ((uint32_t *)row->depth)[i] = ((const uint32_t *)row->codes)[i];
-        } else {
-            ((uint16_t *)row->depth)[i] = ((const uint16_t *)row->codes)[i];
+    const bool same = o->blend->kind == PH_BLEND_TIMES;
+    bool seen = false;
+    for (uint32_t some; n > 0; n -= some, own += some, at += some, seen = !seen) {
+        some = count_pixels(o, own, at, n, same, seen);
+        if (seen) {
+            lay_seen(o, own, at, some);
         }
     }
 }
 
-/* Lays n pixels of a blended triangle over the band. */
-static void lay_blended(struct blend_pass *o, const struct rows *row, uint32_t n)
+/* Blends n pixels of a triangle of one colour with one alpha, in depth of 16 bits. */
+static void lay_flat(struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n) /* called as lay_row */
 {
-    const bool depth24 = o->band->depth24, times = o->blend->kind == PH_BLEND_TIMES;
-    const uint32_t more = times ? 0 : 1; /* TIMES: also over the same depth */
-    const uint32_t most = o->has_keys ? o->alpha : 0;
-    uint32_t alpha = o->alpha;
-    for (uint32_t i = 0; i < n; i++) {
-        if (is_hidden(row, i, more, depth24)) {
-            i = next_seen(row, i + 1, n, more, depth24) - 1;
-            continue;
+    (void)own;
+    const struct ph_large *const large = &o->triangle->as.large;
+    const struct ph_plane *const depth = &large->depth.as.plane;
+    ph_span_blend(o->band->pixels + at, (const uint16_t *)o->band->depth + at, n, ph_plane_at(depth, o->x, o->y),
+                  depth->gx, ph_spread(large->of.colour) * o->alpha + PH_SPREAD_HALF, 32 - o->alpha);
+    o->fragments += n;
+}
+
+/* ---- triangles -------------------------------------------------------------------------------------------------- */
+
+/* Calls lay_row for n pixels of each row that a triangle may cover: from number `at` of the band and number `own` of
+ * the rows that it is drawn into. */
+static void lay_rows(struct blend_pass *o, const struct ph_box *box, const struct ph_band *rows,
+                     void (*lay_row)(struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n))
+{
+    const struct ph_band *const band = o->band;
+    const struct ph_triangle *const t = o->triangle;
+    const bool is_large = t->kind <= PH_KIND_TEXTURE || t->kind == PH_KIND_COLOURS;
+    for (int half = 0; half <= is_large; half++) {
+        struct ph_half_rows in;
+        in.y = rows->y0;
+        in.y_end = rows->y1;
+        if (is_large) {
+            ph_rows_of_half_apart(t, rows, half, &in);
         }
-        if (most > 0) { /* by 63: exact up to 32 x 63 + 31 */
-            alpha = (most * (ph_wire16(row->keys[i]) >> 5 & 63) + 31) * 33289 >> 21;
+        for (; in.y < in.y_end; in.y++) {
+            int32_t from = box->x0, to = box->x1;
+            if (!is_large || ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
+                o->x = (uint32_t)from;
+                o->y = (uint32_t)in.y;
+                lay_row(o, (uint32_t)((in.y - rows->y0) * rows->stride + from),
+                        (uint32_t)((in.y - band->y0) * band->stride + from), (uint32_t)(to - from));
+            }
         }
-        if (alpha == 0) {
-            continue;
-        }
-        const uint32_t pixel = ph_spread(row->pixels[i]);
-        uint32_t colour = ph_spread(times ? ph_times(row->pixels[i], row->colours[i]) : row->colours[i]);
-        if (!times && o->r->fog != NULL) { /* what is multiplied is fogged with what is behind */
-            ph_fog_at(&o->fog, code_of(row->codes, i, depth24));
-            colour = ph_fogged(&o->fog, colour);
-        }
-        row->pixels[i] = ph_fold(o->blend->kind == PH_BLEND_ADD ? ph_spread_add(pixel, colour, alpha)
-                                                                : ph_spread_mix(pixel, colour, alpha));
     }
 }
 
@@ -137,66 +215,36 @@ static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *row
     return ph_draw_triangle(t, rows);
 }
 
-/* Draws a triangle into rows of its own, as many at a time as there is room for, and lays them over the band. keys:
- * NULL, or the same triangle with the texels that decide. A row follows the one before without the columns beside the
- * triangle, if what draws it can do so, and else without those to the right. */
-static void draw_over(struct blend_pass *o, const struct ph_triangle *t, const struct ph_triangle *keys,
-                      const struct ph_box *box)
+/* Draws the triangle of the pass into rows of its own, as many at a time as there is room for, and lays them over the
+ * band. keys: NULL, or the same triangle with the texels that decide. A row follows the one before without the columns
+ * beside the triangle, if what draws it can do so, and else without those to the right. Its pixels are the same half of
+ * a word as the band's, if a band begins at a word. */
+static void draw_over(struct blend_pass *o, const struct ph_triangle *keys, const struct ph_box *box)
 {
     const struct ph_band *const band = o->band;
-    const uint32_t x0 = (uint32_t)box->x0, x1 = (uint32_t)box->x1, n = x1 - x0;
+    const struct ph_triangle *const t = o->triangle;
+    const uint32_t x0 = (uint32_t)box->x0, x1 = (uint32_t)box->x1;
     const bool from_0 = ph_ends_at_stride(t) || (keys != NULL && ph_ends_at_stride(keys));
-    const uint32_t stride = ((from_0 ? x1 : n) + 1) & ~1u; /* even: rows of samples begin at whole words */
-    const uint32_t room = o->room[keys != NULL], fit = (room - x1) / stride + 1;
-    uint16_t *const colours = ph_at(o->r, o->place), *const key_colours = keys != NULL ? colours + room : colours;
+    const uint32_t least = from_0 ? x1 : x1 - x0, stride = least + ((least ^ band->stride) & 1);
+    const uint32_t room = o->room[keys != NULL];
     struct ph_band rows = *band;
-    rows.depth = key_colours + room;
     rows.stride = (uint16_t)stride;
     for (rows.y0 = box->y0; rows.y0 < box->y1; rows.y0 = rows.y1) {
-        rows.y1 = ph_min(rows.y0 + (int32_t)fit, box->y1);
+        const uint32_t odd = (uint32_t)(rows.y0 - band->y0) & band->stride & 1; /* the row of the band begins so */
+        rows.y1 = ph_min(rows.y0 + (int32_t)((room - x1 - odd) / stride + 1), box->y1);
+        o->colours = (uint16_t *)ph_at(o->r, o->place) + odd;
+        o->deciders = keys != NULL ? o->colours + room : o->colours;
+        rows.depth = o->codes = ph_depth_from(o->deciders - odd + room, odd, band->depth24);
         if (keys != NULL) {
-            rows.pixels = key_colours;
+            rows.pixels = o->deciders;
             draw_rows(keys, &rows, x0, x1);
         }
-        rows.pixels = colours;
+        rows.pixels = o->colours;
+        if (o->blend->kind == PH_BLEND_TIMES) { /* white where nothing is drawn */
+            ph_fill(o->colours, UINT16_MAX, (uint32_t)(rows.y1 - rows.y0 - 1) * stride + x1);
+        }
         o->fragments += draw_rows(t, &rows, x0, x1);
-        uint32_t own = x0, at = (uint32_t)(rows.y0 - band->y0) * band->stride + x0;
-        for (int32_t y = rows.y0; y < rows.y1; y++, own += stride, at += band->stride) {
-            const struct rows row = {colours + own, key_colours + own, band->pixels + at,
-                                     ph_depth_from(rows.depth, own, band->depth24),
-                                     ph_depth_from(band->depth, at, band->depth24)};
-            if (o->blend->kind < PH_BLEND_TIMES) {
-                lay_cut_out(o, &row, n);
-            } else {
-                lay_blended(o, &row, n);
-            }
-        }
-    }
-}
-
-/* ---- triangles -------------------------------------------------------------------------------------------------- */
-
-/* Blends a triangle of one colour with one alpha. */
-static void blend_flat(struct blend_pass *o, const struct ph_triangle *t)
-{
-    const struct ph_band *const band = o->band;
-    const struct ph_plane *const depth = &t->as.large.depth.as.plane;
-    const uint32_t alpha = o->alpha;
-    const uint32_t source = ph_spread(t->as.large.of.colour) * alpha + PH_SPREAD_HALF;
-    for (int half = 0; half < 2; half++) {
-        struct ph_half_rows in;
-        if (!ph_rows_of_half_apart(t, band, half, &in)) {
-            continue;
-        }
-        for (; in.y < in.y_end; in.y++) {
-            int32_t from, to;
-            if (ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
-                const uint32_t at = (uint32_t)(in.y - band->y0) * band->stride + (uint32_t)from;
-                ph_span_blend(band->pixels + at, (const uint16_t *)band->depth + at, (uint32_t)(to - from),
-                              ph_plane_at(depth, (uint32_t)from, (uint32_t)in.y), depth->gx, source, 32 - alpha);
-                o->fragments += (uint32_t)(to - from);
-            }
-        }
+        lay_rows(o, box, &rows, lay_over);
     }
 }
 
@@ -208,15 +256,16 @@ static void draw_one(struct blend_pass *o, const struct ph_ref *ref)
         return;
     }
     ph_setup(&o->setting, ref, &t);
+    o->triangle = &t;
     if (t.kind == PH_KIND_FLAT && t.block == PH_BLOCK_NONE && !o->band->depth24 && o->r->fog == NULL &&
         o->blend->kind == PH_BLEND_ALPHA && !o->has_keys) {
-        blend_flat(o, &t);
+        lay_rows(o, &box, o->band, lay_flat);
         return;
     }
     if (o->has_keys && !o->same_keys) {
         ph_setup(&o->keys, ref, &keys);
     }
-    draw_over(o, &t, o->has_keys && !o->same_keys ? &keys : NULL, &box);
+    draw_over(o, o->has_keys && !o->same_keys ? &keys : NULL, &box);
 }
 
 /* Prepares the pass for the triangles of a draw. */

@@ -31,26 +31,28 @@ void ph_fog_find(struct ph_fog_here *fog, uint32_t code)
     fog->added = fog->colour * share + PH_SPREAD_HALF;
 }
 
-/* Fogs the pixels that are not empty. */
-static void fog_rows(const struct ph_renderer *r, const struct ph_band *band)
+/* See struct ph_fogging. */
+static void fog_run(struct ph_fog_here *fog, uint16_t *pixels, const void *codes, uint32_t n, bool depth24)
 {
-    const uint32_t *const depth24 = band->depth24 ? band->depth : NULL;
-    const uint16_t *const depth16 = band->depth;
-    const uint32_t n = (uint32_t)(band->y1 - band->y0) * (uint32_t)band->width;
-    uint16_t *const pixels = band->pixels;
-    struct ph_fog_here fog;
-    ph_fog_start(&fog, r, r->fog_of.colour);
+    const uint32_t *const codes24 = codes;
+    const uint16_t *const codes16 = codes;
     for (uint32_t i = 0; i < n; i++) {
-        /* NOLINTNEXTLINE(clang-analyzer-core.NullDereference): a band has its depth */
-        const uint32_t code = depth24 != NULL ? depth24[i] : depth16[i];
+        const uint32_t code = depth24 ? codes24[i] : codes16[i];
         if (code == 0) {
             continue;
         }
-        ph_fog_at(&fog, code);
-        if (fog.left < 32) {
-            pixels[i] = ph_fold(ph_fogged(&fog, ph_spread(pixels[i])));
+        ph_fog_at(fog, code);
+        if (fog->left < 32) {
+            pixels[i] = ph_fold(ph_fogged(fog, ph_spread(pixels[i])));
         }
     }
+}
+
+static void fog_rows(const struct ph_renderer *r, const struct ph_band *band)
+{
+    struct ph_fog_here fog;
+    ph_fog_start(&fog, r, r->fog_of.colour);
+    fog_run(&fog, band->pixels, band->depth, (uint32_t)(band->y1 - band->y0) * (uint32_t)band->width, band->depth24);
 }
 
 static void fog_share(void *argument) /* called as run */
@@ -64,7 +66,7 @@ static void fog_band(struct ph_renderer *r, const struct ph_band *band)
     ph_draw_in_parts(r, band, (band->y1 - band->y0) / 2, fog_share);
 }
 
-static const struct ph_fogging fogging = {.fog_band = fog_band, .fog_rows = fog_rows};
+static const struct ph_fogging fogging = {.fog_band = fog_band, .fog_rows = fog_rows, .fog_run = fog_run};
 
 PH_TIER(seldom) int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog)
 {

@@ -5,10 +5,14 @@
 #include "blend.h"
 #include "render.h"
 
+struct ph_fog_here;
+
 /* What fogs. Only ph_frame_fog names it, so the linker leaves it out of a program without fog. */
 struct ph_fogging {
     void (*fog_band)(struct ph_renderer *r, const struct ph_band *band);       /* on both cores */
     void (*fog_rows)(const struct ph_renderer *r, const struct ph_band *band); /* the rows of one core's share */
+    /* Fogs n pixels with these depth codes, but empty ones. */
+    void (*fog_run)(struct ph_fog_here *fog, uint16_t *pixels, const void *codes, uint32_t n, bool depth24);
 };
 
 /* The fog at one depth code: what it leaves of a colour, and what it adds. It is kept, because neighbours mostly have

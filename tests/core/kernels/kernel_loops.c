@@ -5,6 +5,7 @@
 #include "cull.h"
 #include "fx.h"
 #include "kernels.h"
+#include "pairs.h"
 #include "texel_row.h"
 #include "texture_knee.h"
 #include "texture_tile.h"
@@ -97,6 +98,50 @@ static uint32_t try_blend(uint32_t h)
     }
     ph_span_blend(pixels + at, depth + depth_at, n, d, gd, mean * (32 - rest) + 0x02008010, rest);
     return h;
+}
+
+/* Pairs over others; now and then their share is all of it. */
+static uint32_t try_pairs(uint32_t h, void (*lay)(ph_pair *, const ph_pair *, uint32_t, uint32_t))
+{
+    static ph_pair over[64];
+    const uint32_t n = below(64), at = 2 * below(64);
+    for (uint32_t i = 0; i < n; i++) {
+        over[i] = bits();
+    }
+    lay((ph_pair *)(void *)(pixels + at), over, n, below(4) == 0 ? 32 : below(33));
+    return h;
+}
+
+static uint32_t try_mix(uint32_t h)
+{
+    return try_pairs(h, ph_pairs_mix);
+}
+
+static uint32_t try_add(uint32_t h)
+{
+    return try_pairs(h, ph_pairs_add);
+}
+
+static void times(ph_pair *to, const ph_pair *from, uint32_t n, uint32_t share)
+{
+    (void)share;
+    ph_pairs_times(to, from, n);
+}
+
+static uint32_t try_times(uint32_t h)
+{
+    return try_pairs(h, times);
+}
+
+/* Codes around the depth, most of them seen, or hidden. */
+static uint32_t try_seen(uint32_t h)
+{
+    const uint32_t at = below(64), depth_at = below(64), n = below(100), some = 1 + below(64), more = below(3);
+    for (uint32_t i = 0; i < n; i++) {
+        pixels[at + i] = (uint16_t)(depth[depth_at + i] + (below(some) == 0 ? below(3) - 1 : more - 1));
+    }
+    const bool same = below(2) > 0, seen = below(2) > 0;
+    return word(h, ph_span_seen(pixels + at, depth + depth_at, n, same, seen));
 }
 
 /* A line in rows of 32 pixels, along its columns or its rows, forwards or backwards; it stays in ROOM. */
@@ -598,6 +643,10 @@ int main(void)
                  {"fill", try_fill},
                  {"span_flat", try_flat},
                  {"span_blend", try_blend},
+                 {"pairs_mix", try_mix},
+                 {"pairs_add", try_add},
+                 {"pairs_times", try_times},
+                 {"span_seen", try_seen},
                  {"line_pixels", try_line},
                  {"halve", try_halve},
                  {"small_gouraud", try_rows},
