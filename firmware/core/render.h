@@ -596,7 +596,8 @@ int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const st
 
 /*
  * Sets the fog of this frame, in steps of 1/32 of the way between two colours. Call it after ph_frame_begin; it takes
- * the camera of that moment. It costs a pass over all pixels of a band.
+ * the camera of that moment. It costs a pass over all pixels of a band: on a Cortex-M0+ 5 instructions for an empty one
+ * and 16 for another (tests/bench/blends.sh).
  * Errors: PH_ERR_INVAL: fog is NULL, or start >= end. PH_ERR_STATE: no frame has begun, or its bands are made.
  */
 int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);

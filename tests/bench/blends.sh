@@ -19,7 +19,7 @@ awk -v core="$core" '
         seen++
     }
     END { exit wrong || seen != length(bar) }' - "$B/bench-$core/blends" <<END
-empty-fog 15.5
+empty-fog 5.5
 flat 8.3
 gouraud 10.5
 texture 22
@@ -39,5 +39,5 @@ texture-times 76.5
 gouraud-times-some 69.5
 texture-alphas 149
 texture-alphas-add 160
-flat-fog 60
+flat-fog 25
 END

@@ -17,7 +17,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fx_mul fill span_flat span_blend pairs_mix pairs_add pairs_times span_seen line_pixels halve small_gouraud small_knee long_gouraud setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
+loops=(fx_mul fill span_flat span_blend pairs_mix pairs_add pairs_times span_seen fog_alike line_pixels halve small_gouraud small_knee long_gouraud setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -124,6 +124,7 @@ long "a_mix_with_the_half_of_other_channels_for_armv6m_is_seen" change_is_seen a
 long "a_green_that_is_not_full_for_armv6m_is_seen" change_is_seen armv6m pairs_add 's/lsrs r7, r5, #5/lsrs r7, r5, #6/'
 long "a_green_over_31_for_armv6m_is_seen" change_is_seen armv6m pairs_times 's/round r10, r7, 6/round r10, r7, 5/'
 long "an_odd_pixel_forgotten_for_armv6m_is_seen" change_is_seen armv6m span_seen 's/bpl 2f/b 2f/'
+long "a_last_pixel_without_fog_for_armv6m_is_seen" change_is_seen armv6m fog_alike 's/lsls r7, r7, #31/movs r7, #0/'
 long "a_hidden_pixel_of_a_line_for_armv6m_is_seen" change_is_seen armv6m line_pixels 's/bls 1f/blo 1f/'
 long "a_sample_counted_twice_for_armv6m_is_seen" change_is_seen armv6m halve 's/cmp r4, r6/cmp r4, r4/'
 long "a_fourth_pixel_of_two_colours_for_armv7m_is_seen" change_is_seen armv7m halve 's/cmpeq r7, r7, ror #16/cmpeq r7, r7/'

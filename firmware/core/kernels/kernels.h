@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+struct ph_fog_mix;
 struct ph_lens;
 struct ph_material;
 struct ph_ref;
@@ -38,6 +39,11 @@ void ph_span_blend(uint16_t *pixels, const uint16_t *depth, uint32_t n, uint32_t
 /* span_seen.c: how many pixels, of the first ones of n, are seen: their codes are above the depth, or as much, if
  * `same`; or how many are not, if not `seen`. */
 uint32_t ph_span_seen(const uint16_t *codes, const uint16_t *depth, uint32_t n, bool same, bool seen);
+
+/* fog_alike.c: how many depth codes, of the first ones of n, are from .. from + size - 1, modulo 2^32. Their pixels are
+ * fogged, unless mix is NULL. */
+uint32_t ph_fog_alike(uint16_t *pixels, const uint16_t *codes, uint32_t n, uint32_t from, uint32_t size,
+                      const struct ph_fog_mix *mix);
 
 /* What ph_line_pixels takes of a line. */
 struct ph_line_run {

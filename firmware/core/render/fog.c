@@ -7,18 +7,20 @@
 #include "cores.h"
 #include "depth.h"
 #include "fog.h"
+#include "kernels.h"
 #include "list.h"
+#include "pairs.h"
 #include "planes.h"
 
 void ph_fog_start(struct ph_fog_here *fog, const struct ph_renderer *r, uint16_t colour)
 {
-    *fog = (struct ph_fog_here){r->fog_codes, ph_spread(colour), UINT32_MAX, 0, 32, 0};
+    *fog = (struct ph_fog_here){r->fog_codes, ph_spread(colour), UINT32_MAX, 0, {32, 0, 0}};
 }
 
 void ph_fog_find(struct ph_fog_here *fog, uint32_t code)
 {
     const uint32_t *const codes = fog->codes;
-    uint32_t share = 32 - fog->left; /* a guess */
+    uint32_t share = 32 - fog->mix.left; /* a guess */
     while (share < 32 && code <= codes[share]) {
         share++;
     }
@@ -27,8 +29,10 @@ void ph_fog_find(struct ph_fog_here *fog, uint32_t code)
     }
     fog->below = share < 32 ? codes[share] : 0;
     fog->most = share > 0 ? codes[share - 1] : UINT32_MAX;
-    fog->left = 32 - share;
-    fog->added = fog->colour * share + PH_SPREAD_HALF;
+    const uint32_t colour = fog->colour | fog->colour >> 16; /* as a number, in its low half */
+    fog->mix.left = 32 - share;
+    fog->mix.added = fog->colour * share + PH_SPREAD_HALF;
+    fog->mix.others = ((colour << 16 | (colour & 0xffff)) & ~PH_SPREAD) / 32 * share + PH_PAIR_HALF;
 }
 
 /* See struct ph_fogging. */
@@ -36,14 +40,20 @@ static void fog_run(struct ph_fog_here *fog, uint16_t *pixels, const void *codes
 {
     const uint32_t *const codes24 = codes;
     const uint16_t *const codes16 = codes;
-    for (uint32_t i = 0; i < n; i++) {
+    for (uint32_t i = 0; i < n;) {
         const uint32_t code = depth24 ? codes24[i] : codes16[i];
-        if (code == 0) {
-            continue;
+        uint32_t from = 0, size = 1; /* the codes that have the same fog: empty ones have none */
+        if (code > 0) {
+            ph_fog_at(fog, code);
+            from = fog->below + 1;
+            size = fog->most - fog->below;
         }
-        ph_fog_at(fog, code);
-        if (fog->left < 32) {
-            pixels[i] = ph_fold(ph_fogged(fog, ph_spread(pixels[i])));
+        const struct ph_fog_mix *const mix = code > 0 && fog->mix.left < 32 ? &fog->mix : NULL;
+        if (!depth24) {
+            i += ph_fog_alike(pixels + i, codes16 + i, n - i, from, size, mix);
+        } else {
+            const uint16_t any = (uint16_t)from; /* one code at a time */
+            i += ph_fog_alike(pixels + i, &any, 1, any, 1, mix);
         }
     }
 }

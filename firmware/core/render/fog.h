@@ -15,13 +15,19 @@ struct ph_fogging {
     void (*fog_run)(struct ph_fog_here *fog, uint16_t *pixels, const void *codes, uint32_t n, bool depth24);
 };
 
-/* The fog at one depth code: what it leaves of a colour, and what it adds. It is kept, because neighbours mostly have
- * the same code. Colours are spread, see blend.h. */
+/* What fog leaves of a colour, and what it adds: a colour as in blend.h, then the same for the channels of a pair that
+ * are not those of PH_SPREAD (pairs.h). */
+struct ph_fog_mix {
+    uint32_t left;          /* 32 - the fog's share */
+    uint32_t added, others; /* its colour times its share, and a half */
+};
+
+/* The fog at one depth code. It is kept, because neighbours mostly have the same code. */
 struct ph_fog_here {
     const uint32_t *codes; /* as in the renderer */
-    uint32_t colour;
-    uint32_t below, most; /* the depth codes below < code <= most have the same */
-    uint32_t left, added; /* 32 - the fog's share; its colour times its share, and a half */
+    uint32_t colour;       /* spread */
+    uint32_t below, most;  /* the depth codes below < code <= most have the same */
+    struct ph_fog_mix mix;
 };
 
 /* Starts with codes for which nothing is kept. */
@@ -38,9 +44,9 @@ static inline void ph_fog_at(struct ph_fog_here *fog, uint32_t code)
     }
 }
 
-static inline uint32_t ph_fogged(const struct ph_fog_here *fog, uint32_t colour)
+static inline uint32_t ph_fogged(const struct ph_fog_mix *mix, uint32_t colour)
 {
-    return (colour * fog->left + fog->added) >> 5 & PH_SPREAD;
+    return (colour * mix->left + mix->added) >> 5 & PH_SPREAD;
 }
 
 #endif

@@ -35,7 +35,7 @@ static uint16_t blend_pixel(struct brush *b, uint16_t behind, const struct ph_sp
     uint32_t colour = ph_spread(s->colour);
     if (b->r->fog != NULL) {
         ph_fog_at(&b->fog, code_of(s));
-        colour = ph_fogged(&b->fog, colour);
+        colour = ph_fogged(&b->fog.mix, colour);
     }
     return ph_fold(b->blend->kind == PH_BLEND_ADD ? ph_spread_add(pixel, colour, b->alpha)
                                                   : ph_spread_mix(pixel, colour, b->alpha));

@@ -3,6 +3,7 @@
  * round its rows included. tests/core/test_kernels.sh compares the lines of the C and of the assembly.
  */
 #include "cull.h"
+#include "fog.h"
 #include "fx.h"
 #include "kernels.h"
 #include "pairs.h"
@@ -142,6 +143,21 @@ static uint32_t try_seen(uint32_t h)
     }
     const bool same = below(2) > 0, seen = below(2) > 0;
     return word(h, ph_span_seen(pixels + at, depth + depth_at, n, same, seen));
+}
+
+/* Codes in and beside a range, most of them in it. */
+static uint32_t try_fog(uint32_t h)
+{
+    const uint32_t at = below(64), depth_at = below(64), n = below(100), some = 1 + below(64);
+    const uint32_t from = bits() & 0xffff, size = 1 + below(300);
+    struct ph_fog_mix mix = {.left = below(33)};
+    const uint32_t colour = (bits() & 0xffff) * 0x10001, share = 32 - mix.left;
+    mix.added = (colour & PH_SPREAD) * share + PH_SPREAD_HALF;
+    mix.others = (colour & ~PH_SPREAD) / 32 * share + PH_PAIR_HALF;
+    for (uint32_t i = 0; i < n; i++) {
+        depth[depth_at + i] = (uint16_t)(from + (below(some) == 0 ? size + below(2) - 1 : below(size)));
+    }
+    return word(h, ph_fog_alike(pixels + at, depth + depth_at, n, from, size, below(4) > 0 ? &mix : NULL));
 }
 
 /* A line in rows of 32 pixels, along its columns or its rows, forwards or backwards; it stays in ROOM. */
@@ -647,6 +663,7 @@ int main(void)
                  {"pairs_add", try_add},
                  {"pairs_times", try_times},
                  {"span_seen", try_seen},
+                 {"fog_alike", try_fog},
                  {"line_pixels", try_line},
                  {"halve", try_halve},
                  {"small_gouraud", try_rows},
