@@ -85,22 +85,33 @@ static void lay_pixels(uint32_t kind, uint16_t *to, const uint16_t *from, uint32
     }
 }
 
-/* Lays n pixels of a cut-out triangle over the band, those that are seen. */
-static void lay_cut_out(const struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n)
+/* Lays n pixels of a cut-out triangle over the band, those that are seen. A loop for each depth has all in registers.
+ */
+static inline void lay_kept(const struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n, bool depth24)
 {
     const uint16_t *const keys = o->deciders + own, *const colours = o->colours + own;
-    uint16_t *const pixels = o->band->pixels + at;
+    uint16_t *const pixels = o->band->pixels + at, *const depth = (uint16_t *)o->band->depth + (depth24 ? 2 * at : at);
+    const uint16_t *const codes = (const uint16_t *)o->codes + (depth24 ? 2 * own : own);
     const uint32_t mask = o->mask, hole = o->hole;
     for (uint32_t i = 0; i < n; i++) {
         if ((keys[i] & mask) == hole) {
             continue;
         }
         pixels[i] = colours[i];
-        if (o->band->depth24) {
-            ((uint32_t *)o->band->depth)[at + i] = ((const uint32_t *)o->codes)[own + i];
+        if (depth24) {
+            ((uint32_t *)(void *)depth)[i] = ((const uint32_t *)(const void *)codes)[i];
         } else {
-            ((uint16_t *)o->band->depth)[at + i] = ((const uint16_t *)o->codes)[own + i];
+            depth[i] = codes[i];
         }
+    }
+}
+
+static FX_APART void lay_cut_out(const struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n)
+{
+    if (o->band->depth24) {
+        lay_kept(o, own, at, n, true);
+    } else {
+        lay_kept(o, own, at, n, false);
     }
 }
 
