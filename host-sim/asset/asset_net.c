@@ -210,8 +210,8 @@ static bool make_wedges(struct asset_net *net, const struct key *keys, uint32_t 
     for (uint32_t i = 0; i < count; i++) {
         net->wedge_count += i == 0 || compare(&keys[i - 1], &keys[i], KEY_NUMBERS) != 0;
     }
-    net->wedges = malloc(sizeof *net->wedges * ((size_t)net->wedge_count + 1));
-    net->x = malloc(sizeof *net->x * ((size_t)net->wedge_count + 1) * (size_t)net->dimensions);
+    net->wedges = calloc((size_t)net->wedge_count + 1, sizeof *net->wedges);
+    net->x = calloc((size_t)net->wedge_count + 1, sizeof *net->x * (size_t)net->dimensions);
     net->quadrics = calloc((size_t)net->wedge_count + 1, sizeof *net->quadrics * (size_t)net->numbers);
     net->areas = calloc((size_t)net->wedge_count + 1, sizeof *net->areas);
     if (net->wedges == NULL || net->areas == NULL || net->x == NULL || net->quadrics == NULL) {
@@ -249,10 +249,10 @@ static bool make_triangles(struct asset_net *net, const struct model *model, con
 {
     const size_t most = (size_t)model->triangle_count + 1;
     uint32_t first = 0;
-    net->triangles = malloc(sizeof *net->triangles * most);
-    net->is_live = malloc(sizeof *net->is_live * most);
-    net->next = malloc(sizeof *net->next * 3 * most);
-    net->heads = malloc(sizeof *net->heads * ((size_t)net->point_count + 1));
+    net->triangles = calloc(most, sizeof *net->triangles);
+    net->is_live = calloc(most, sizeof *net->is_live);
+    net->next = calloc(3 * most, sizeof *net->next);
+    net->heads = calloc((size_t)net->point_count + 1, sizeof *net->heads);
     if (net->triangles == NULL || net->is_live == NULL || net->next == NULL || net->heads == NULL) {
         return false;
     }
@@ -322,7 +322,7 @@ static bool is_seam_between(const struct asset_net *net, const struct edge *edge
 static bool hold_edges(struct asset_net *net)
 {
     const size_t count = (size_t)net->triangle_count * 3;
-    struct edge *const edges = malloc(sizeof *edges * (count + 1));
+    struct edge *const edges = calloc(count + 1, sizeof *edges);
     for (uint32_t corner = 0; corner < count && edges != NULL; corner++) {
         const uint32_t p = asset_net_point(net, corner),
                        q = asset_net_point(net, corner % 3 == 2 ? corner - 2 : corner + 1);
@@ -369,8 +369,8 @@ bool asset_net_make(struct asset_net *net, const struct model *model)
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         count += model->meshes[m].vertex_count;
     }
-    struct key *const keys = malloc(sizeof *keys * (count + 1));
-    uint32_t *const wedge_of = malloc(sizeof *wedge_of * (count + 1));
+    struct key *const keys = calloc(count + 1, sizeof *keys);
+    uint32_t *const wedge_of = calloc(count + 1, sizeof *wedge_of);
     bool is_done = lay_out(net, model, &layout) && keys != NULL && wedge_of != NULL;
     for (uint32_t m = 0, first = 0; m < model->mesh_count && is_done; m++) {
         add_keys(keys, model, m, first);

@@ -104,9 +104,11 @@ static uint32_t live_corner(const struct asset_net *net, uint32_t corner)
 }
 
 /* Walks over the live corners at a point. */
+/* NOLINTBEGIN(bugprone-macro-parentheses): a name, which stands in none */
 #define EACH_CORNER(net, corner, point)                                                                                \
     for (uint32_t corner = live_corner(net, (net)->heads[point]); corner != ASSET_NET_NONE;                            \
          corner = live_corner(net, (net)->next[corner]))
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 /* The corner at a point of the triangle of another corner; NONE: it has none there. */
 static uint32_t corner_at(const struct asset_net *net, uint32_t corner, uint32_t point)
@@ -320,7 +322,7 @@ static void collapse(struct work *w, uint32_t from, uint32_t to, const struct mo
             w->live--;
         } else if (net->is_live[corner / 3]) {
             uint32_t i = 0;
-            while (moves->from[i] != asset_net_wedge(net, corner)) {
+            while (i + 1 < moves->count && moves->from[i] != asset_net_wedge(net, corner)) {
                 i++;
             }
             net->triangles[corner / 3][corner % 3] = moves->to[i];
@@ -406,8 +408,8 @@ static bool sort_pieces(struct work *w, uint32_t *parents)
 {
     const struct asset_net *const net = &w->net;
     uint32_t *const ends = calloc((size_t)net->point_count + 1, sizeof *ends);
-    w->by_piece = malloc(sizeof *w->by_piece * ((size_t)net->triangle_count + 1));
-    w->pieces = malloc(sizeof *w->pieces * ((size_t)net->triangle_count + 1));
+    w->by_piece = calloc((size_t)net->triangle_count + 1, sizeof *w->by_piece);
+    w->pieces = calloc((size_t)net->triangle_count + 1, sizeof *w->pieces);
     const bool is_done = ends != NULL && w->by_piece != NULL && w->pieces != NULL;
     for (uint32_t t = 0; t < net->triangle_count && is_done; t++) {
         ends[root_of(parents, asset_net_point(net, 3 * t))]++;
@@ -423,7 +425,7 @@ static bool sort_pieces(struct work *w, uint32_t *parents)
     for (uint32_t t = 0; t < net->triangle_count && is_done; t++) {
         w->by_piece[ends[root_of(parents, asset_net_point(net, 3 * t))]++] = t;
     }
-    for (uint32_t i = 0; i < w->piece_count; i++) {
+    for (uint32_t i = 0; i < w->piece_count && is_done; i++) {
         measure_piece(net, w->by_piece, &w->pieces[i]);
     }
     if (is_done) {

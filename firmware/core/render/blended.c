@@ -271,12 +271,13 @@ static void draw_one(struct blend_pass *o, const struct ph_ref *ref)
     if (t.kind == PH_KIND_FLAT && t.block == PH_BLOCK_NONE && !o->band->depth24 && o->r->fog == NULL &&
         o->blend->kind == PH_BLEND_ALPHA && !o->has_keys) {
         lay_rows(o, &box, o->band, lay_flat);
-        return;
-    }
-    if (o->has_keys && !o->same_keys) {
+    } else if (o->has_keys && !o->same_keys) {
         ph_setup(&o->keys, ref, &keys);
+        draw_over(o, &keys, &box);
+    } else {
+        draw_over(o, NULL, &box);
     }
-    draw_over(o, o->has_keys && !o->same_keys ? &keys : NULL, &box);
+    o->triangle = NULL;
 }
 
 /* Prepares the pass for the triangles of a draw. */

@@ -18,7 +18,7 @@ static const struct ph_lighting lighting = {
         .set_texels = ph_setup_texels, .excess_of = ph_excess_of, .take_small_depth = ph_take_small_depth,             \
         .draw_texels = ph_draw_small_texels, .begin_texels = ph_small_texels_begin,                                    \
         .draw_texel_rows = ph_small_texels_draw, .draw_texel_piece = ph_small_texels_piece,                            \
-        .set_texel_planes = ph_set_texel_planes, .draw_textured = ph_draw_textured, .lighting = light                  \
+        .set_texel_planes = ph_set_texel_planes, .draw_textured = ph_draw_textured, .lighting = (light)                \
     }
 
 const struct ph_shading ph_shade_flat = {.corners = PH_FIRST_CORNER, .lighting = &lighting};

@@ -226,8 +226,8 @@ static void flat_triangles_have_new_normals(void **state)
 static void what_stands_still_has_bounds_and_what_moves_has_none(void **state)
 {
     static const int16_t bind[3][3] = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
-    const struct animation_mesh moving = {.mesh = 1, .bound = {.positions = bind, .vertex_count = 3}};
-    struct model_motion motion = {.animation = {.meshes = &moving, .mesh_count = 1}};
+    static const struct animation_mesh moving = {.mesh = 1, .bound = {.positions = bind, .vertex_count = 3}};
+    static struct model_motion motion = {.animation = {.meshes = &moving, .mesh_count = 1}};
     (void)state;
     model.motion = &motion;
     make();
@@ -237,7 +237,7 @@ static void what_stands_still_has_bounds_and_what_moves_has_none(void **state)
         assert_int_equal(mesh->bounds != NULL, m != 1);
         assert_true(mesh->edges == NULL && mesh->edge_count == 0);
     }
-    assert_true(asset.model.meshes[0].bounds->radius > FX_HALF);
+    assert_true(asset.model.meshes[0].bounds != NULL && asset.model.meshes[0].bounds->radius > FX_HALF);
     assert_memory_equal(asset.model.motion->animation.meshes->bound.positions, bind, sizeof bind);
 }
 

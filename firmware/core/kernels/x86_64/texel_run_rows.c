@@ -89,9 +89,9 @@ static inline bool set_light(struct lit_walk *w, uint32_t first, uint32_t n, uin
 
 static inline struct lit_texels texels_of(const struct ph_texel_run *r, uint64_t bend)
 {
-    struct lit_texels t = {
-        texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth, r->row.pixels, r->row.gd, bend, TEXELS2_SMALL),
-        1 << 16 | 1, 4 * r->row.glight};
+    struct lit_texels t = {texels2_common_of(r->row.texels, r->row.u_mask, r->row.v_mask, r->row.depth, r->row.pixels,
+                                             r->row.gd, bend, TEXELS2_SMALL),
+                           1 << 16 | 1, 4 * r->row.glight};
     __asm__("" : "+r"(t.twice));
     return t;
 }
