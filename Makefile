@@ -28,7 +28,7 @@ STD = -std=c11 $(WARN)
 # A target is chosen by path: a file under firmware/core/kernels/$(CPU)/ replaces the portable one of the same name, and a
 # library that this machine lacks is replaced by the folder that does without it.
 # They are asked for at once: processes are most of what a make with nothing to do takes. (An image needs none of them.)
-LIBRARIES := $(if $(OUT),,$(shell for l in assimp libpng libjpeg sdl2 libgpiod libdrm libusb-1.0 cmocka mpfr gmp osmesa glu; do \
+LIBRARIES := $(if $(OUT),,$(shell for l in assimp libpng libjpeg libwebp sdl2 libgpiod libdrm libusb-1.0 cmocka mpfr gmp osmesa glu; do \
     pkg-config --exists $$l && echo $$l; done 2>/dev/null))
 have = $(filter $(1),$(LIBRARIES))
 package_libs = $(if $(strip $(1)),$(shell pkg-config --libs $(1)))

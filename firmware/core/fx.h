@@ -165,7 +165,7 @@ inline uint64_t fx_quotient_u64(uint64_t n, uint64_t d)
 }
 
 /* floor(2^62 / d) for d = 2^31 .. 2^32 - 1. */
-inline uint32_t fx_rcp_top(uint32_t d)
+inline __attribute__((always_inline)) uint32_t fx_rcp_top(uint32_t d)
 {
     return FX_DIVIDES_64 ? (uint32_t)fx_quotient_u64((uint64_t)1 << 62, d) : fx_rcp_newton(d);
 }

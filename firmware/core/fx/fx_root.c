@@ -26,7 +26,6 @@ const uint16_t fx_rcp_table[256] = {
 PH_TIER(mesh) extern inline int fx_clz32(uint32_t v);
 PH_TIER(mesh) extern inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b);
 PH_TIER(mesh) extern inline uint32_t fx_rcp_newton(uint32_t d);
-PH_TIER(mesh) extern inline uint32_t fx_rcp_top(uint32_t d);
 PH_TIER(mesh) extern inline uint32_t fx_rcp_norm(uint32_t w, int *shift);
 
 PH_TIER(few) uint32_t fx_rcp_far(uint32_t w, int *shift)
