@@ -36,9 +36,10 @@ patiently() {
 no_orphan() { ! pgrep -f "path=$dir/orphan,"; }
 
 killed_script_leaves_no_qemu() {
-    tests/guest/guest.sh --out "$dir/orphan" -- sleep 1000 &
+    tests/guest/guest.sh --out "$dir/orphan" -- sleep 100000 & # it would outlive our patience
     local script=$!
-    patiently pgrep -f "path=$dir/orphan," >/dev/null || { echo "no QEMU was started" && return 1; }
+    # Not what becomes QEMU, and is not yet bound to the script.
+    patiently pgrep -f "^qemu-system.*path=$dir/orphan," >/dev/null || { echo "no QEMU was started" && return 1; }
     { kill -KILL "$script" && wait "$script"; } 2>/dev/null
     patiently no_orphan
 }
