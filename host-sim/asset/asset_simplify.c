@@ -10,7 +10,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #define HELD_MOST    32  /* points, */
 #define HELD_SHARE   32  /* or one of so many triangles */
