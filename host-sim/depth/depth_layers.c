@@ -151,6 +151,7 @@ static int open_memory(struct depth_layers *s)
                                             .height = s->lab->height,
                                             .band_height = s->lab->height,
                                             .depth_format = PH_DEPTH_FIXED16,
+                                            .colouring = PH_COLOURS,
                                             .vertices = s->memory[1],
                                             .vertex_max = vertices,
                                             .triangles = s->memory[2],

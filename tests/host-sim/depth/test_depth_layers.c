@@ -62,6 +62,7 @@ static int draw_card(struct ph_renderer *r, const struct card *c)
                                  .parts = &part,
                                  .part_count = 1,
                                  .materials = materials};
+    assert_ptr_equal(r->config.colouring, PH_COLOURS); /* for meshes that have vertex colours */
     return depth_layers_draw_mesh(r, &mesh, &moved);
 }
 
