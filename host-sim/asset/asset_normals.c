@@ -1,18 +1,19 @@
 /* See asset_mesh.h. Normals of faces, for a mesh whose triangles are no longer those of the file. */
 #include "asset_mesh.h"
+#include "asset_net.h"
 
 #include <math.h>
 
 /* The length of the normal is twice the area. */
 static void face_normal(const struct fx_vec3 *corners, double normal[3])
 {
-    const struct fx_vec3 *a = &corners[0], *b = &corners[1], *c = &corners[2];
-    const double p[3] = {(double)b->x - a->x, (double)b->y - a->y, (double)b->z - a->z};
-    const double q[3] = {(double)c->x - a->x, (double)c->y - a->y, (double)c->z - a->z};
+    double places[3][3];
     for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        normal[i] = p[j] * q[k] - p[k] * q[j];
+        places[i][0] = corners[i].x;
+        places[i][1] = corners[i].y;
+        places[i][2] = corners[i].z;
     }
+    asset_net_normal((const double *const[3]){places[0], places[1], places[2]}, normal);
 }
 
 void asset_normals(const struct fx_vec3 *places, size_t count, int16_t (*normals)[3])

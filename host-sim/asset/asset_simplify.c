@@ -45,8 +45,8 @@ struct work {
     size_t heap_count, heap_room;
     struct piece *pieces;                        /* the cheapest first */
     uint32_t piece_count, next_piece, *by_piece; /* triangles, piece by piece */
-    bool may_turn;                               /* nothing is left to do unless triangles turn over */
-    bool is_out;                                 /* of memory */
+    bool may_turn; /* nothing is left to do unless triangles turn over, or held points move */
+    bool is_out;   /* of memory */
 };
 
 /* ---- the heap --------------------------------------------------------------------------------------------------- */
@@ -241,14 +241,14 @@ static bool may_collapse(const struct work *w, uint32_t from, uint32_t to)
     const struct asset_net *const net = &w->net;
     const double *const x = asset_net_x(net, asset_net_wedge(net, live_corner(net, net->heads[to])));
     uint32_t between = 0;
-    bool turns = w->is_held[from] && !w->may_turn;
+    bool is_bad = w->is_held[from];
     EACH_CORNER(net, corner, from)
     {
         const bool is_between = corner_at(net, corner, to) != ASSET_NET_NONE;
         between += is_between;
-        turns = turns || (!is_between && !w->may_turn && turns_over(net, corner, x));
+        is_bad = is_bad || (!is_between && turns_over(net, corner, x));
     }
-    return between > 0 && !turns;
+    return between > 0 && (w->may_turn || !is_bad);
 }
 
 /* ---- collapsing -------------------------------------------------------------------------------------------------- */
