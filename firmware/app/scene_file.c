@@ -38,8 +38,9 @@ static uint32_t texel_count(const struct scene_file_texture *t)
 static bool is_texture_right(const struct scene_file_head *head, const struct scene_file_texture *t)
 {
     return t->log2_width <= SIDE_LOG2_MAX && t->log2_height <= SIDE_LOG2_MAX &&
-           t->levels <= (t->log2_width > t->log2_height ? t->log2_width : t->log2_height) && t->wrap <= PH_WRAP_CLAMP &&
-           t->filter < SCENE_FILE_FILTERS && (t->spare[0] | t->spare[1] | t->spare[2]) == 0 &&
+           t->levels <= (t->log2_width > t->log2_height ? t->log2_width : t->log2_height) &&
+           t->wrap <= SCENE_FILE_CLAMP_U && t->filter < SCENE_FILE_FILTERS &&
+           (t->spare[0] | t->spare[1] | t->spare[2]) == 0 &&
            scene_file_inside(head, t->texels, texel_count(t), sizeof(uint16_t));
 }
 
@@ -229,7 +230,7 @@ static struct ph_texture texture_of(const uint8_t *base, const struct scene_file
     return (struct ph_texture){.texels = (const void *)(base + from->texels),
                                .log2_width = from->log2_width,
                                .log2_height = from->log2_height,
-                               .wrap = from->wrap,
+                               .wrap = scene_file_wrap(from->wrap),
                                .filter = scene_file_filters[from->filter].filter,
                                .levels = from->levels};
 }

@@ -48,8 +48,17 @@ struct scene_file_head {
 
 struct scene_file_texture {
     uint32_t texels;                                                 /* offset; 0: there is no texture */
-    uint8_t log2_width, log2_height, wrap, filter, levels, spare[3]; /* filter: a number; spare: 0 */
+    uint8_t log2_width, log2_height, wrap, filter, levels, spare[3]; /* wrap, filter: numbers; spare: 0 */
 };
+
+/* Numbers of wraps: enum ph_wrap with 1 and 3 exchanged, for 1 was the clamp before there was one for each way. */
+enum scene_file_wrap_number { SCENE_FILE_REPEAT, SCENE_FILE_CLAMP, SCENE_FILE_CLAMP_V, SCENE_FILE_CLAMP_U };
+
+/* The number of an enum ph_wrap, and the enum ph_wrap of a number. */
+static inline uint8_t scene_file_wrap(uint8_t wrap)
+{
+    return (uint8_t)((wrap & 1) << 1 ^ wrap);
+}
 
 /* Numbers of filters. */
 enum scene_file_filter_number { SCENE_FILE_NEAREST, SCENE_FILE_BILINEAR, SCENE_FILE_MIPMAP, SCENE_FILE_FILTERS };

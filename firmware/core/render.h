@@ -55,7 +55,9 @@ extern const struct ph_shading ph_shade_flat, ph_shade_gouraud, ph_shade_texture
  * colour at an intensity of 1, and to white above it. */
 #define PH_SHADE_TEXTURE_GOURAUD (&ph_shade_texture_gouraud)
 
-enum ph_wrap { PH_WRAP_REPEAT, PH_WRAP_CLAMP };
+/* What lies outside of 0 .. 1: the texture again, or the texels of its border. _U and _V: those of the border only
+ * along u, or only along v. */
+enum ph_wrap { PH_WRAP_REPEAT, PH_WRAP_CLAMP_U, PH_WRAP_CLAMP_V, PH_WRAP_CLAMP = PH_WRAP_CLAMP_U | PH_WRAP_CLAMP_V };
 
 /* A filter: these names are addresses, and a program links what filters by those that its textures name. */
 struct ph_filter;

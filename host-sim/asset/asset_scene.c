@@ -42,7 +42,7 @@ static struct scene_file_texture write_texture(struct writer *to, const struct p
     return (struct scene_file_texture){.texels = offset != 0 ? offset : append(to, t->texels, bytes),
                                        .log2_width = t->log2_width,
                                        .log2_height = t->log2_height,
-                                       .wrap = t->wrap,
+                                       .wrap = scene_file_wrap(t->wrap),
                                        .filter = number_of_filter(t->filter),
                                        .levels = t->levels};
 }

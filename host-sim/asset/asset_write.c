@@ -108,14 +108,14 @@ static void put_texture(FILE *file, const char *name, const struct ph_texture *t
     const char *const filter = t->filter == PH_FILTER_MIPMAP     ? "MIPMAP"
                                : t->filter == PH_FILTER_BILINEAR ? "BILINEAR"
                                                                  : "NEAREST";
+    static const char *const wraps[] = {"PH_WRAP_REPEAT", "PH_WRAP_CLAMP_U", "PH_WRAP_CLAMP_V", "PH_WRAP_CLAMP"};
     char texels[24];
     snprintf(texels, sizeof texels, "%s_texels", name);
     put_colours(file, texels, m, t->texels, model_texture_texels(t, t->levels));
     fprintf(file,
             "\nstatic const struct ph_texture %s_%u = {.texels = %s_%u, .log2_width = %u, .log2_height = %u,\n"
             "    .wrap = %s, .filter = PH_FILTER_%s, .levels = %u};\n",
-            name, (unsigned)m, texels, (unsigned)m, t->log2_width, t->log2_height,
-            t->wrap == PH_WRAP_CLAMP ? "PH_WRAP_CLAMP" : "PH_WRAP_REPEAT", filter, t->levels);
+            name, (unsigned)m, texels, (unsigned)m, t->log2_width, t->log2_height, wraps[t->wrap], filter, t->levels);
 }
 
 static void put_blend(FILE *file, const struct ph_blend *from, uint32_t m)

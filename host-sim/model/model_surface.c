@@ -74,10 +74,7 @@ static const struct ph_texture *make_texture(struct model_shared *shared, const 
         model_shared_note(shared, "texture %s is resized from %ux%u to %ux%u", from->name, (unsigned)picture->width,
                           (unsigned)picture->height, width, height);
     }
-    if (from->wrap[0] != from->wrap[1]) {
-        model_shared_note(shared, "texture %s wraps both ways as along u", from->name);
-    }
-    texture->wrap = from->wrap[0];
+    texture->wrap = from->wrap;
     texture->filter = filter_of(shared, from);
     return texture;
 }
@@ -165,7 +162,7 @@ static bool make_blend(struct model_shared *shared, const struct model_surface *
         if (texture == NULL) {
             return false;
         }
-        texture->wrap = from->wrap[0];
+        texture->wrap = from->wrap;
         texture->filter = filter_of(shared, from);
         blend->alphas = texture;
         blend->draw = ph_draw_blended_alphas;

@@ -21,7 +21,7 @@ struct model_surface {
     struct picture_in picture;      /* of the texture; its rgb is NULL without; model_surface_make frees both */
     struct picture_in mask;         /* whose alpha counts, in place of the picture's; its alpha is NULL without */
     struct picture_in glowing; /* emission in place of `glow`, at the coordinates of the texture; rgb is NULL without */
-    uint8_t wrap[2];           /* enum ph_wrap along u and v */
+    uint8_t wrap;              /* enum ph_wrap */
     bool two_sided, is_unlit;
     uint8_t mode;         /* enum model_alpha */
     double alpha, cutoff; /* alpha is multiplied by the picture's */

@@ -331,7 +331,7 @@ static struct ph_texture any_texture(void)
     uint32_t log2_max = below(16) ? LOG2_MAX : LOG2_MOST;
     struct ph_texture t = {.log2_width = (uint8_t)below(log2_max + 1),
                            .log2_height = (uint8_t)below(log2_max + 1),
-                           .wrap = (uint8_t)below(2),
+                           .wrap = (uint8_t)below(4),
                            .filter = filters[below(3)],
                            .levels = below(LOG2_MOST + 1) & 15};
     t.texels = texels + TEXELS_MOST - texels_of(&t);

@@ -62,7 +62,8 @@ a small triangle without its lower half  | kernels/portable/setup_small.c | s/se
 vertices truncated in the fast loop      | kernels/portable/vertices.c | s/run->round_\([xy]\) + //                           | test_quality
 6 sub-pixel bits in the fast loop        | kernels/portable/vertices.c | s/>> run->down;/>> run->down \& ~3;/                 | test_quality
 lines half a pixel off                   | render/line.c    | s/across \* 256 - 1/across * 256 + 32767/            | test_lines
-clamped textures repeat                  | render/texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
+clamped textures repeat                  | render/texture.c | s/unsigned clamp = map->wrap/unsigned clamp = 0/                    | test_texture
+a texture clamped in one way is so in both | render/texture.c | s/unsigned clamp = map->wrap/unsigned clamp = 3/ | test_texture
 light of texels is that of a corner      | render/texels.c  | s/small->glight = .*/small->glight = 0;/    | test_texture_light
 a filter without its lower line          | kernels/texel_mix.h | s/ + down \* fv//                                  | test_texture_light
 a map two levels too small               | render/mipmap.c    | s/17 - fx_clz32/19 - fx_clz32/                      | test_texture_light

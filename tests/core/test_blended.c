@@ -567,7 +567,7 @@ static void the_memory_for_rows_changes_no_byte(void **state)
         s.fogged = ref_uniform(0, 1) < .4;
         s.fog_start = 2;
         s.fog_end = 10;
-        s.texture.wrap = s.alpha_texture.wrap = round & 1 ? PH_WRAP_CLAMP : PH_WRAP_REPEAT;
+        s.texture.wrap = s.alpha_texture.wrap = (uint8_t)(round & 3); /* enum ph_wrap */
         for (int i = 1; i < QUADS; i++) {
             const int kind = (int)ref_uniform(0, PH_BLEND_ADD + .999);
             blends[kind] = (struct ph_blend){

@@ -106,11 +106,11 @@ static bool texel_at(const struct square *s, const struct ref_plane *p, double s
     return in && fabs(u) < most && fabs(v) < most;
 }
 
-/* How far a coordinate lies outside texel number `drawn`, in texels, 0 inside. */
-static double outside(double exact, int drawn, uint8_t wrap)
+/* How far a coordinate along u (0) or v (1) lies outside texel number `drawn`, in texels, 0 inside. */
+static double outside(double exact, int drawn, uint8_t wrap, int along)
 {
     double off = exact - (drawn + .5);
-    if (wrap == PH_WRAP_REPEAT) {
+    if ((wrap >> along & 1) == 0) {
         off = remainder(off, TEXELS);
     } else if ((drawn == 0 && off < 0) || (drawn == TEXELS - 1 && off > 0)) {
         return 0;
@@ -128,8 +128,8 @@ static bool is_gentle(const struct ref_plane *p, int x, int y)
 /* How many tolerances a pixel's texel is off the exact coordinates; `step`: what one pixel changes them by. */
 static double tolerances(const struct square *s, int drawn, const double exact[2], const double step[2])
 {
-    double u = outside(exact[0], drawn % TEXELS, s->texture.wrap),
-           v = outside(exact[1], drawn / TEXELS, s->texture.wrap);
+    double u = outside(exact[0], drawn % TEXELS, s->texture.wrap, 0),
+           v = outside(exact[1], drawn / TEXELS, s->texture.wrap, 1);
     return fmax(u / (1 / 32. + step[0] / 8), v / (1 / 32. + step[1] / 8));
 }
 
@@ -217,7 +217,9 @@ static void textures_through_the_near_plane_are_exact(void **state)
 static void clamped_textures_are_exact(void **state)
 {
     (void)state;
-    check_squares(4, 2, PH_WRAP_CLAMP, 3, 1, 1.2, .1);
+    for (enum ph_wrap wrap = PH_WRAP_CLAMP_U; wrap <= PH_WRAP_CLAMP; wrap++) {
+        check_squares(4, 2, wrap, 3, 1, 1.2, .1);
+    }
 }
 
 static void many_repeats_are_exact(void **state)
@@ -238,14 +240,22 @@ static void textures_of_every_size_are_exact(void **state)
 
 /* ---- a mesh of small triangles ---------------------------------------------------------------------------- */
 
-static long wrong_texels(const struct rig *rig, const struct ref_picture *exact, int across, long *pixels)
+/* The texel at u or v, along which there are that many. */
+static int texel_of(double uv, int across, bool clamps)
+{
+    const int texel = (int)floor(uv * across);
+    return (!clamps ? texel : texel < 0 ? 0 : texel < across ? texel : across - 1) & (TEXELS - 1);
+}
+
+static long wrong_texels(const struct rig *rig, const struct ref_picture *exact, int across, enum ph_wrap wrap,
+                         long *pixels)
 {
     long wrong = 0;
     for (int i = 0; i < rig->width * rig->height; i++) {
         const struct ref_pixel pixel = ref_at(exact, i % rig->width, i / rig->width);
         if (pixel.triangle >= 0 && rig->depth[i] != 0) {
-            const int x = (int)floor(pixel.uv[0] * across) & (TEXELS - 1);
-            const int y = (int)floor(pixel.uv[1] * across) & (TEXELS - 1);
+            const int x = texel_of(pixel.uv[0], across, (wrap & PH_WRAP_CLAMP_U) != 0);
+            const int y = texel_of(pixel.uv[1], across, (wrap & PH_WRAP_CLAMP_V) != 0);
             (*pixels)++;
             wrong += rig->pixels[i] != y * TEXELS + x;
         }
@@ -255,7 +265,7 @@ static long wrong_texels(const struct rig *rig, const struct ref_picture *exact,
 
 /* A torus with a texture of 2^log2 texels each way. All of its pixels count, those at the edges of triangles, too; at
  * most `most` percent may have another texel. */
-static void check_torus(uint8_t log2, const char *surface, double most)
+static void check_torus(uint8_t log2, enum ph_wrap wrap, const char *surface, double most)
 {
     static struct rig_mesh mesh;
     struct ref_scene scene;
@@ -263,6 +273,7 @@ static void check_torus(uint8_t log2, const char *surface, double most)
     textured_torus_build(&scene);
     rig_mesh_build(&mesh, &scene);
     enlarge(&mesh.texture, log2, log2);
+    mesh.texture.wrap = (uint8_t)wrap;
     static const struct ph_depth_format *const formats[] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16, PH_DEPTH_FIXED24};
     for (int f = 0; f < 3; f++) { /* FIXED24 has no small triangles */
         const struct ph_depth_format *const format = formats[f];
@@ -275,7 +286,7 @@ static void check_torus(uint8_t log2, const char *surface, double most)
             assert_int_equal(ph_draw_mesh(&rig.r, &mesh.mesh, &pose), PH_OK);
             assert_true(rig_finish(&rig));
             ref_draw(&exact, &ref_benchmark, &scene, frame);
-            wrong += wrong_texels(&rig, &exact, 1 << log2, &pixels);
+            wrong += wrong_texels(&rig, &exact, 1 << log2, wrap, &pixels);
             ref_picture_free(&exact);
         }
         print_message("%ld pixels, %.3f %% another texel\n", pixels, 100. * (double)wrong / (double)pixels);
@@ -291,13 +302,15 @@ static void check_torus(uint8_t log2, const char *surface, double most)
 static void a_mesh_of_small_triangles_is_exact(void **state)
 {
     (void)state;
-    check_torus(LOG2, "texture, nearest: small triangles", .6);
+    for (enum ph_wrap wrap = PH_WRAP_REPEAT; wrap <= PH_WRAP_CLAMP; wrap++) {
+        check_torus(LOG2, wrap, "texture, nearest: small triangles", .6);
+    }
 }
 
 static void a_mesh_of_small_triangles_with_a_large_texture_is_exact(void **state)
 {
     (void)state;
-    check_torus(9, "texture of 512 texels, nearest: small triangles", 4);
+    check_torus(9, PH_WRAP_REPEAT, "texture of 512 texels, nearest: small triangles", 4);
 }
 
 /* The square in one of two materials, or (2) in both, material 0 first. */
@@ -365,7 +378,7 @@ static void of_two_equal_depths_the_first_texel_stays(void **state)
     for (int f = 1; f < PH_DEPTH_FORMATS; f++) {
         const struct ph_depth_format *const format = ph_depth_formats[f];
         for (int i = 0; i < 4; i++) {
-            check_equal_depths(&s, format, i & 1 ? PH_WRAP_CLAMP : PH_WRAP_REPEAT,
+            check_equal_depths(&s, format, i & 1 ? PH_WRAP_CLAMP_U : PH_WRAP_REPEAT,
                                i & 2 ? PH_SHADE_TEXTURE_LIT : PH_SHADE_TEXTURE);
         }
     }

@@ -262,7 +262,7 @@ static void pictures_do_not_depend_on_bands(void **state)
         const struct ph_depth_format *const format = i % 2 ? PH_DEPTH_FLOAT16 : PH_DEPTH_FIXED24;
         scene_open(&s, shadings[i / 2 % 3], filters[i / 6 % 3]);
         s.material.specular = FX_ONE / 2;
-        s.texture.wrap = i < 18 ? PH_WRAP_REPEAT : PH_WRAP_CLAMP;
+        s.texture.wrap = (uint8_t)(i < 18 ? PH_WRAP_REPEAT : PH_WRAP_CLAMP_U + i % 3);
         picture_of(&s, HEIGHT, format, whole);
         for (int lines = 1; lines < 8; lines += 6) {
             picture_of(&s, lines, format, bands);

@@ -30,9 +30,11 @@ struct ph_tile_rows {
     struct ph_texel_rows row;      /* column 0 is that of the tile */
     uint32_t columns;              /* of the tile that are in the picture: 1 .. PH_TILE; one more of a small triangle */
     uint32_t count;                /* pixels drawn */
-    uint32_t u_outside, v_outside; /* the bits that u and v have outside a clamped texture; 0: nothing is outside */
-    struct ph_texel_way u, v;      /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16, or in
-                                      2^-12      if the texture has over 65,536 texels, which v_mask tells: see ph_texel_v_down */
+    uint32_t outside;              /* u_outside | v_outside */
+    uint32_t u_outside, v_outside; /* the bits that u and v have outside a texture that is clamped that way, or 0 */
+    struct ph_texel_way u,
+        v; /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16, or in
+              2^-12      if the texture has over 65,536 texels, which v_mask tells: see ph_texel_v_down */
 };
 
 /* Draws rows, at least one. It stops before a row that begins or ends outside a clamped texture. Afterwards everything

@@ -440,11 +440,12 @@ static inline bool setup_depth(const struct ph_renderer *r, const struct ph_plan
     return ph_depth_ways(r)->set_plane(r, s, v, ph_depth_bias(material), depth, block);
 }
 
-/* Finds u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */
+/* Finds u or v of the corners, Q16.16; not negative if the texture repeats that way. Returns the log2 of their range.
+ */
 PH_TIER(scenery)
 static int texture_range(const struct ph_texture *texture, const fx_t *const uv[3], int axis, uint32_t out[3])
 {
-    const bool repeats = texture->wrap == PH_WRAP_REPEAT;
+    const bool repeats = (texture->wrap >> axis & 1) == 0;
     const int32_t a = uv[0][axis], b = uv[1][axis], c = uv[2][axis], ab = a < b ? a : b, least = ab < c ? ab : c;
     uint32_t most = 1;
     for (int i = 0; i < 3; i++) {

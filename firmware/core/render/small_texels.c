@@ -105,12 +105,12 @@ void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *
     begin_run(&s->run, t, below_of(t, y), texture);
     s->run.row.stride_bytes = stride_bytes;
     s->fast = at->fast;
-    s->kind.clamp = texture->wrap == PH_WRAP_CLAMP;
+    s->kind.clamp = texture->wrap;
     if (s->fast) {
         return;
     }
     begin_light(&s->run, t, y);
-    if (s->kind.clamp) {
+    if (s->kind.clamp != 0) {
         begin_clamped(s, t, texture);
         return;
     }
@@ -191,7 +191,7 @@ static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
 
 PH_TIER(figure) static PH_NOINLINE uint32_t draw_general(struct ph_small_texels *s)
 {
-    return s->kind.clamp ? draw_clamped(s) : draw_lit_or_smooth(s);
+    return s->kind.clamp != 0 ? draw_clamped(s) : draw_lit_or_smooth(s);
 }
 
 PH_TIER(scenery) static uint32_t draw_run_of(struct ph_small_texels *s)

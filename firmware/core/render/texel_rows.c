@@ -214,6 +214,8 @@ PH_TIER(scenery) static void draw_general_row(const struct ph_tile_kind *k, stru
         }
         if (r->u_outside != 0) {
             n = clamp_way(&row.u, &u_border, n);
+        }
+        if (r->v_outside != 0) {
             n = clamp_way(&row.v, &v_border, n);
         }
         row.texels.depth = r->row.depth + i;

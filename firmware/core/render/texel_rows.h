@@ -16,7 +16,7 @@ struct ph_tile_kind {
     uint32_t u_mask, v_mask, log2_width;
     int u_down, v_down; /* from u, v to whole texels */
     bool lit_or_filtered;
-    bool clamp;
+    uint8_t clamp;     /* ways in which pixels may lie outside of a clamped texture: bits of enum ph_wrap */
     bool depth24;      /* as in struct ph_band */
     bool fast;         /* ph_texture_tile can draw them */
     int32_t from, end; /* columns of the picture, as the tile's columns count */
@@ -53,22 +53,27 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_tile_rows
     k->texel = map->filter != NULL ? map->filter->texel : NULL;
     k->lit_or_filtered = k->lighting != NULL || map->filter != NULL;
     r->row.v_mask = k->v_mask << width;
-    r->u_outside = r->v_outside = 0;
+    r->outside = r->u_outside = r->v_outside = 0;
     if (k->fast) {
         k->u_down = 22;
         k->v_down = k->filter != NULL ? 22 : (int)ph_texel_v_down(r->row.v_mask) + width;
-        if (k->clamp) {
+        if ((k->clamp & PH_WRAP_CLAMP_U) != 0) {
             r->u_outside = UINT32_MAX << width << k->u_down;
+        }
+        if ((k->clamp & PH_WRAP_CLAMP_V) != 0) {
             r->v_outside = UINT32_MAX << height << k->v_down;
         }
+        r->outside = r->u_outside | r->v_outside;
     }
 }
 
 /* The texel in that column and line; they are clamped or repeated. */
 static inline uint16_t ph_texel_in(const struct ph_tile_kind *k, int32_t column, int32_t line)
 {
-    if (k->clamp) {
+    if ((k->clamp & PH_WRAP_CLAMP_U) != 0) {
         column = ph_texel_clamped(column, k->u_mask);
+    }
+    if ((k->clamp & PH_WRAP_CLAMP_V) != 0) {
         line = ph_texel_clamped(line, k->v_mask);
     }
     return k->texels[((uint32_t)line & k->v_mask) << k->log2_width | ((uint32_t)column & k->u_mask)];

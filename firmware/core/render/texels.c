@@ -203,7 +203,7 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_setting *s, const st
     const int32_t du1 = change(uv, 1, 0), du2 = change(uv, 2, 0), dv1 = change(uv, 1, 1), dv2 = change(uv, 2, 1);
     struct frame f;
     if (!set_warp(&f.warp, v, s->r->lens.kind == PH_ORTHOGRAPHIC) ||
-        (texture->wrap == PH_WRAP_CLAMP && !fits_clamped(texture, uv)) ||
+        (texture->wrap != PH_WRAP_REPEAT && !fits_clamped(texture, uv)) ||
         !is_exact(&f.warp, most_of(du1, du2), most_of(dv1, dv2), texture)) {
         return false;
     }
@@ -215,7 +215,7 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_setting *s, const st
     f.y = 128 - (v[0]->y & 255);
     struct ph_small_map *const map = &t->as.small.of.map;
     map->u.base = (uint32_t)uv[0][0] << (width + 6);
-    if (texture->wrap == PH_WRAP_REPEAT) {
+    if ((texture->wrap & PH_WRAP_CLAMP_U) == 0) {
         map->u.base &= UINT32_MAX >> (10 - width);
     }
     set_way(&map->u, &map->u_curve, &f, du1, du2, width + 6);

@@ -37,15 +37,21 @@ static inline bool are_inside(const struct ph_corners *c, uint32_t margin, uint3
            (uint32_t)c->right[0] - margin < span && (uint32_t)c->right[1] - margin < span;
 }
 
-/* Whether all of a tile lies in the texture's only repeat, with a margin: for a filter that of half a texel more. */
+/* The ways in which some of a tile may lie outside of a clamped texture's only repeat, or in a margin, which is half a
+ * texel wider for a filter. */
 PH_TIER(scenery)
-static bool is_inside(const struct ph_triangle *t, const struct ph_texture *map, const struct ph_surface *s)
+static unsigned ways_outside(const struct ph_triangle *t, const struct ph_texture *map, const struct ph_surface *s)
 {
     const int least = ph_min(map->log2_width, map->log2_height);
     const uint32_t half = map->filter != NULL ? ((uint32_t)1 << 24) >> least : 0, one = (uint32_t)1 << 25;
     const unsigned range = t->as.large.of.map.range_log2;
     const uint32_t margin = (1 << 15) + (half >> range), span = (one >> range) - 2 * margin;
-    return span < one && are_inside(&s->u, margin, span) && are_inside(&s->v, margin, span);
+    unsigned clamp = map->wrap;
+    if (span < one) {
+        clamp &= are_inside(&s->u, margin, span) ? PH_WRAP_CLAMP_V : PH_WRAP_CLAMP;
+        clamp &= are_inside(&s->v, margin, span) ? PH_WRAP_CLAMP_U : PH_WRAP_CLAMP;
+    }
+    return clamp;
 }
 
 /*
@@ -60,8 +66,8 @@ static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile
     const struct ph_triangle *const t = k->triangle;
     const int width = map->log2_width, height = map->log2_height, range = t->as.large.of.map.range_log2;
     k->from = -(int32_t)tile->x;
-    k->clamp = map->wrap == PH_WRAP_CLAMP && !is_inside(t, map, s);
-    k->fast = !k->depth24 && t->block != PH_BLOCK_LINEAR && (!k->clamp || ph_fits_clamped(map, range));
+    k->clamp = map->wrap == PH_WRAP_REPEAT ? 0 : (uint8_t)ways_outside(t, map, s);
+    k->fast = !k->depth24 && t->block != PH_BLOCK_LINEAR && (k->clamp == 0 || ph_fits_clamped(map, range));
     k->u_down = 29 - range - width;
     k->v_down = 29 - range - height;
     ph_set_texel_kind(k, r, map, &t->as.large.of.map.light);

@@ -58,7 +58,7 @@ static void read_texture(struct model_shared *shared, const struct aiScene *scen
     }
     snprintf(to->name, sizeof to->name, "%.100s", name.data);
     to->picture.most = 1u << TEXTURE_LOG2_MAX;
-    to->wrap[0] = to->wrap[1] = wrap_of(from, type);
+    to->wrap = wrap_of(from, type);
     const char *why = load_picture(shared, scene, name.data, &to->picture);
     if (why != NULL) {
         model_shared_note(shared, "texture %s is left out: it %s", to->name, why);

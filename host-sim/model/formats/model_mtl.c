@@ -51,7 +51,7 @@ static void read_texture(struct model_shared *shared, const struct model_word *l
     }
     snprintf(name, sizeof name, "%.*s", (int)from->name.n, from->name.text);
     snprintf(to->name, sizeof to->name, "%.100s", name);
-    to->wrap[0] = to->wrap[1] = from->clamps ? PH_WRAP_CLAMP : PH_WRAP_REPEAT;
+    to->wrap = from->clamps ? PH_WRAP_CLAMP : PH_WRAP_REPEAT;
     const char *why = load_picture(shared, library, name, &to->picture);
     if (why != NULL) {
         model_shared_note(shared, "texture %s is left out: it %s", to->name, why);

@@ -136,7 +136,9 @@ static void read_wrap(struct model_shared *shared, const struct gltf_json *sampl
     static const char *const keys[2] = {"wrapS", "wrapT"};
     for (int along = 0; along < 2; along++) {
         const uint32_t mode = gltf_file_whole(sampler, keys[along], 0);
-        to->wrap[along] = mode == CLAMP_TO_EDGE ? PH_WRAP_CLAMP : PH_WRAP_REPEAT;
+        if (mode == CLAMP_TO_EDGE) {
+            to->wrap |= (uint8_t)(PH_WRAP_CLAMP_U << along);
+        }
         if (mode != MIRRORED_REPEAT) {
             continue;
         }
@@ -203,8 +205,7 @@ static void read_glow(struct model_shared *shared, struct gltf_file *file, const
     from.picture.alpha = NULL;
     const bool has_texture = to->picture.picture.rgb != NULL;
     /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison,cert-exp42-c,cert-flp37-c): the same bits are meant */
-    if (has_texture && (other.set != uv->set || memcmp(other.m, uv->m, sizeof other.m) != 0 ||
-                        memcmp(from.wrap, to->wrap, sizeof from.wrap) != 0)) {
+    if (has_texture && (other.set != uv->set || memcmp(other.m, uv->m, sizeof other.m) != 0 || from.wrap != to->wrap)) {
         model_shared_note(shared, "emissive textures with coordinates of their own are ignored");
         picture_in_free(&from.picture);
         return;
@@ -213,7 +214,7 @@ static void read_glow(struct model_shared *shared, struct gltf_file *file, const
     to->glowing = from.picture;
     if (!has_texture) {
         memcpy(to->name, from.name, sizeof to->name);
-        memcpy(to->wrap, from.wrap, sizeof to->wrap);
+        to->wrap = from.wrap;
         to->filter = from.filter;
     }
 }

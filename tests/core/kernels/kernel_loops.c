@@ -405,7 +405,8 @@ static void set_size(uint32_t *u_mask, uint32_t *v_mask)
 
 static uint32_t try_texture(uint32_t h)
 {
-    const bool wild = below(4) == 0, clamp = below(2) == 0;
+    const bool wild = below(4) == 0;
+    const uint32_t clamp = below(4); /* along neither, u, v, both */
     struct ph_tile_rows r = {.row = {.texels = texels}};
     set_size(&r.row.u_mask, &r.row.v_mask);
     r.row.left = below(30 << 16) - (10 << 16);
@@ -421,8 +422,9 @@ static uint32_t try_texture(uint32_t h)
     r.columns = 1 + below(PH_TILE);
     r.row.rows = 1 + below(16);
     r.count = bits();
-    r.u_outside = clamp ? UINT32_MAX << 28 : 0;
-    r.v_outside = r.u_outside;
+    r.u_outside = (clamp & 1) != 0 ? UINT32_MAX << 28 : 0;
+    r.v_outside = (clamp & 2) != 0 ? UINT32_MAX << 28 : 0;
+    r.outside = r.u_outside | r.v_outside;
     r.u = way(22, wild);
     r.v = way(22, wild || below(2) == 0);
     ph_texture_tile(&r);

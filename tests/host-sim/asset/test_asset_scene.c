@@ -188,7 +188,11 @@ static void textures_come_with_their_levels(void **state)
     assert_memory_equal(&t->log2_width, "\2\2\0\2\2\0\0\0", 8); /* repeated, PH_FILTER_MIPMAP */
     expect_at(a->texels, made_blend(3)->alphas->texels, 16);
     assert_memory_equal(&a->log2_width, "\1\2\1\1\0\0\0\0", 8); /* clamped, PH_FILTER_BILINEAR */
-    assert_int_equal(PH_WRAP_CLAMP, 1);
+    static const uint8_t wraps[] = {PH_WRAP_REPEAT, PH_WRAP_CLAMP, PH_WRAP_CLAMP_V, PH_WRAP_CLAMP_U};
+    for (uint8_t number = SCENE_FILE_REPEAT; number <= SCENE_FILE_CLAMP_U; number++) {
+        assert_int_equal(scene_file_wrap(number), wraps[number]);
+        assert_int_equal(scene_file_wrap(wraps[number]), number);
+    }
 }
 
 static void what_moves_is_written_with_its_mesh(void **state)

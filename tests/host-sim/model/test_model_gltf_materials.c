@@ -202,8 +202,7 @@ static void a_mirrored_picture_is_doubled_and_its_coordinates_halved(void **stat
         assert_true(p->width == (axis == 0 ? 4 : 2) && p->height == (axis == 0 ? 2 : 4));
         assert_true(p->picture.width == p->width && p->picture.height == p->height);
         assert_true(uvs[0].m[0][0] == (axis == 0 ? .5 : 1) && uvs[0].m[1][1] == (axis == 0 ? 1 : .5));
-        assert_int_equal(got[0].wrap[0], PH_WRAP_REPEAT);
-        assert_int_equal(got[0].wrap[1], axis == 0 ? PH_WRAP_CLAMP : PH_WRAP_REPEAT);
+        assert_int_equal(got[0].wrap, axis == 0 ? PH_WRAP_CLAMP_V : PH_WRAP_REPEAT);
     }
 }
 
@@ -263,7 +262,7 @@ static void a_glow_without_a_texture_brings_its_own_wrap_and_filter(void **state
     read_one("\"pbrMetallicRoughness\":{\"baseColorFactor\":[0,0,0.5,1]}," GLOW "{\"index\":0,\"texCoord\":1}",
              "\"wrapS\":33071,\"magFilter\":9729");
     assert_true(got[0].glowing.picture.rgb != NULL && got[0].picture.picture.rgb == NULL && !got[0].is_unlit);
-    assert_true(got[0].wrap[0] == PH_WRAP_CLAMP && got[0].wrap[1] == PH_WRAP_REPEAT);
+    assert_int_equal(got[0].wrap, PH_WRAP_CLAMP_U);
     assert_ptr_equal(got[0].filter, PH_FILTER_BILINEAR);
     assert_string_equal(got[0].name, "four");
     assert_int_equal(uvs[0].set, 1);

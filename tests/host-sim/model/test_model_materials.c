@@ -195,9 +195,9 @@ static void a_texture_is_clamped_where_its_own_kind_says_so(void **state)
     (void)state;
     put_text(0, FILE_KEY, aiTextureType_DIFFUSE, "a.png");
     put_number(0, "$tex.mapmodeu", aiTextureType_BASE_COLOR, aiTextureMapMode_Clamp);
-    assert_true(read_first()->wrap[0] == PH_WRAP_REPEAT && surfaces[0].wrap[1] == PH_WRAP_REPEAT);
+    assert_int_equal(read_first()->wrap, PH_WRAP_REPEAT);
     put_number(0, "$tex.mapmodeu", aiTextureType_DIFFUSE, aiTextureMapMode_Clamp);
-    assert_true(read_first()->wrap[0] == PH_WRAP_CLAMP && surfaces[0].wrap[1] == PH_WRAP_CLAMP);
+    assert_int_equal(read_first()->wrap, PH_WRAP_CLAMP);
 }
 
 static void embedded_pictures_are_named_by_number_or_name(void **state)

@@ -143,7 +143,7 @@ static void options_of_a_map_stand_before_its_name(void **state)
         snprintf(text, sizeof text, "newmtl m\nmap_Kd %s\n", cases[i].map);
         read_text(text);
         assert_string_equal(got[0].name, cases[i].name);
-        assert_true(got[0].wrap[0] == cases[i].wrap && got[0].wrap[1] == cases[i].wrap);
+        assert_int_equal(got[0].wrap, cases[i].wrap);
         assert_memory_equal(mtls.list[0].scale, cases[i].numbers, 16);
         assert_memory_equal(mtls.list[0].offset, cases[i].numbers + 2, 16);
         assert_non_null(got[0].picture.picture.rgb);
@@ -229,7 +229,7 @@ static void what_has_no_material_gets_one(void **state)
     expect_colour(got[3].colour, 255, 255, 255);
     assert_true(got[3].two_sided && got[4].two_sided && !got[2].two_sided);
     assert_true(got[3].picture.picture.rgb != NULL && got[4].picture.picture.rgb == NULL);
-    assert_int_equal(got[3].wrap[0], PH_WRAP_REPEAT);
+    assert_int_equal(got[3].wrap, PH_WRAP_REPEAT);
     assert_int_equal(scene.material_count, 5);
     assert_int_equal(mtls.count, 2);
     for (uint32_t i = 0; i < 5; i++) {

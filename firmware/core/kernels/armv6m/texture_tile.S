@@ -1,5 +1,5 @@
 @ ph_texture_tile (see texture_tile.h) for ARMv6-M. A pixel that is drawn takes 17 instructions, a hidden one 9, a row
-@ 113 (33 more in a clamped texture), a call some 60.
+@ 113 (46 more in a clamped texture), a call some 60.
 #include "../thumb.inc"
 #include "../offsets.inc"
 #include "registers.inc"
@@ -76,7 +76,7 @@ row: @ r7: self
 1:  subs r2, r1, r0
     bgt 2f
     b down_rows
-2:  ldr r3, [r7, #tile_u_outside]
+2:  ldr r3, [r7, #tile_outside]
     cmp r3, #0
     beq inside
     b clamped
@@ -199,36 +199,35 @@ done:
     add sp, #frame
     restore_and_return
 
-    @ Tests the first and the last pixel of a row in a clamped texture; r3: the bits that u has outside.
+    @ Tests the first and the last pixel of a row in a clamped texture.
 clamped:
     mov r9, r2
     mov r10, r7
-    mov lr, r3
     subs r1, #1
     movs r6, r7
     adds r6, #tile_u
-    ldmia r6!, {r2-r4}
-    movs r5, r2
-    value r2, r3, r4, r0, r7
-    value r5, r3, r4, r1, r7
-    orrs r5, r2
-    mov r2, lr
+    bl bits_at_ends
+    ldr r2, [r7, #tile_u_outside]
     ands r2, r5
-    bne stop
+    bne done
     adds r6, #way - 12
-    ldmia r6!, {r2-r4}
-    movs r5, r2
-    value r2, r3, r4, r0, r7
-    value r5, r3, r4, r1, r7
-    orrs r5, r2
-    mov r7, r10
+    bl bits_at_ends
     ldr r2, [r7, #tile_v_outside]
     ands r2, r5
-    bne stop
+    bne done
     adds r1, #1
     mov r2, r9
     b inside
-stop:
+bits_at_ends: @ r5: of u or v, whose coefficients are at r6, at columns r0 and r1. In a row of even length (r9) r1 is one bend off.
+    ldmia r6!, {r2-r4}
+    movs r5, r2
+    value r2, r3, r4, r0, r7
+    value r5, r3, r4, r1, r7
+    mov r7, r9
+    lsrs r7, r7, #1
+    bcs 1f
+    adds r5, r5, r4
+1:  orrs r5, r2
     mov r7, r10
-    b done
+    bx lr
     .size ph_texture_tile, . - ph_texture_tile

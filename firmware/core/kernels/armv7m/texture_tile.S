@@ -1,5 +1,5 @@
 @ ph_texture_tile (see texture_tile.h) for ARMv7-M. A pixel that is drawn takes 14.5 instructions, a hidden one 9.5, a
-@ row 61 (15 more in a clamped texture), a call some 25.
+@ row 61 (21 more in a clamped texture), a call some 25.
 @
 @ Registers: r2 d, r3 gd, r4 u, r5 du, r6 u_mask, r7 v, r8 dv, r9 the struct ph_tile_rows, r10 v_mask, r11 texels,
 @ r12 depth, lr pixels; r0 r1 scratch. The stack has the bends of u and v, the entries, and where a large texture's row ends.
@@ -49,13 +49,16 @@ row:
     movgt r1, r2
     subs lr, r1, r0
     ble down_rows
-    ldr r4, [r9, #tile_u_outside]
+    ldr r4, [r9, #tile_outside]
     cbz r4, 2f
     first_pixel
-    subs r8, r1, #1 @ the last pixel
+    subs r8, r1, #1 @ the last pixel, which is one bend off in a row of even length
     mla r5, r2, r8, r5
     ldr r1, [r9, #tile_u]
     mla r5, r5, r8, r1
+    tst lr, #1
+    it eq
+    addeq r5, r2
     orrs r5, r4
     ldr r1, [r9, #tile_u_outside]
     ands r5, r1
@@ -63,6 +66,9 @@ row:
     ldrd r1, r5, [r9, #tile_v]
     mla r5, r12, r8, r5
     mla r5, r5, r8, r1
+    tst lr, #1
+    it eq
+    addeq r5, r12
     orrs r5, r7
     ldr r1, [r9, #tile_v_outside]
     ands r5, r1

@@ -32,11 +32,19 @@ static inline void ph_row_down(struct ph_tile_rows *r)
     r->row.rows--;
 }
 
-/* Whether the first or the last pixel of a row lies outside a clamped texture. */
-static inline bool ph_is_outside(const struct ph_tile_rows *r, uint32_t first, uint32_t last)
+/* The bits of u or v at the first and at the last pixel of a row. In a row of even length the last is one bend off its
+ * parabola. */
+static inline uint32_t ph_bits_at_ends(const struct ph_texel_way *w, const struct ph_row_run *row)
 {
-    return (((ph_texel_at(&r->u, first) | ph_texel_at(&r->u, last)) & r->u_outside) |
-            ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
+    const uint32_t last = ph_texel_at(w, row->first + row->n - 1);
+    return ph_texel_at(w, row->first) | ((row->n & 1) != 0 ? last : last + w->bend);
+}
+
+/* Whether the first or the last pixel of a row lies outside a clamped texture. */
+static inline bool ph_is_outside(const struct ph_tile_rows *r, const struct ph_row_run *row)
+{
+    return r->outside != 0 &&
+           ((ph_bits_at_ends(&r->u, row) & r->u_outside) | (ph_bits_at_ends(&r->v, row) & r->v_outside)) != 0;
 }
 
 static inline void ph_draw_tile_row(const struct ph_tile_rows *r, const struct ph_row_run *row)
@@ -62,7 +70,7 @@ static inline void ph_texture_tile_portable(struct ph_tile_rows *r)
     while (r->row.rows > 0) {
         struct ph_row_run row;
         if (ph_next_row(r, &row)) {
-            if (ph_is_outside(r, row.first, row.first + row.n - 1)) {
+            if (ph_is_outside(r, &row)) {
                 return;
             }
             ph_draw_tile_row(r, &row);

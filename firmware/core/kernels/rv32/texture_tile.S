@@ -1,6 +1,6 @@
 /*
  * ph_texture_tile (see texture_tile.h) for RV32. With Zba a pixel that is drawn takes 15 instructions, a hidden one 7, a
- * row 80 (15 more in a clamped texture), a call some 70.
+ * row 80 (20 more in a clamped texture), a call some 70.
  *
  * Registers: a0 the struct ph_tile_rows, a1 depth at column 0, s0 s1 s2 s3 at, step, bend, at_dy of u, s4 s5 s6 s7 of v,
  * s8 left, ra right, t2 d at column 0; those of texels.inc. 52(sp) is the distance from depth to
@@ -53,7 +53,7 @@ row:
     mv t5, t3
 1:  sub t0, t1, t5
     bgez t0, below
-    lw t4, tile_u_outside(a0)
+    lw t4, tile_outside(a0)
     value a6, t1, s0, s1, s2
     value t3, t1, s4, s5, s6
     bnez t4, clamped
@@ -119,15 +119,21 @@ done:
     add t6, t6, a1
     words sw, a0, texel_depth, a1, t6
     restore 64, SAVED
-clamped: // does the first or the last pixel lie outside?
+clamped: // does the first or the last pixel lie outside? In a row of even length the last is one bend off.
     addi t6, t5, -1
+    andi a7, t0, 1 // t0: minus the length
+    lw t4, tile_u_outside(a0)
     value a5, t6, s0, s1, s2
-    or a5, a5, a6
+    bnez a7, 1f
+    add a5, a5, s2
+1:  or a5, a5, a6
     and a5, a5, t4
     bnez a5, done
     value a5, t6, s4, s5, s6
     lw t4, tile_v_outside(a0)
-    or a5, a5, t3
+    bnez a7, 1f
+    add a5, a5, s6
+1:  or a5, a5, t3
     and a5, a5, t4
     bnez a5, done
     j inside

@@ -50,8 +50,8 @@ static inline __attribute__((always_inline)) void draw_rows(struct ph_tile_rows 
         struct ph_row_run row;
         if (ph_next_row(r, &row)) {
             const uint64_t first = b.at + row.first * (b.step + row.first * b.bend), i = row.first + row.n - 1;
-            if (outside != 0 &&
-                (((first ^ TEXELS2_SIGN) | ((b.at + i * (b.step + i * b.bend)) ^ TEXELS2_SIGN)) & outside) != 0) {
+            const uint64_t last = b.at + i * (b.step + i * b.bend) + (i - row.first) % 2 * b.bend; /* as it is drawn */
+            if (outside != 0 && (((first ^ TEXELS2_SIGN) | (last ^ TEXELS2_SIGN)) & outside) != 0) {
                 break;
             }
             struct texels2_walk w = {first, b.step + (uint64_t)row.pair * b.bend,
