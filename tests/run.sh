@@ -3,9 +3,9 @@
 # Builds and runs the tests, one more at a time than there are processors, those that take longest first; ends with the
 # one line `N passed, N failed, N skipped` and exits 1 when a test failed.
 #   check  for every edit: the unit tests tests/*/test_*.c, also a folder deeper, and the scripts that take seconds; installs nothing
-#   test   tests/*/test_*.c plain and under sanitizers, tests/*/fuzz_*.c under sanitizers, tests/*/test_*.sh
-#   long   tests/*/exhaustive_*.c, tests/*/long_*.sh, tests/*/fuzz_*.c under sanitizers with the argument `long`, and the
-#          slow tests/*/test_*.c under sanitizers; SHARE=K/N in the environment (K: 1 .. N) runs a share: tests that know
+#   test   tests/*/test_*.c under sanitizers, plain those that are slow so; tests/*/fuzz_*.c under sanitizers, tests/*/test_*.sh
+#   long   tests/*/exhaustive_*.c, tests/*/long_*.sh, tests/*/fuzz_*.c under sanitizers with the argument `long`, and
+#          tests/*/test_*.c in the way that `test` leaves out; SHARE=K/N in the environment (K: 1 .. N) runs a share: tests that know
 #          SHARE take every N-th of what they look at, the others run in one of the N
 # A test speaks TAP (cmocka does; tests/tools/tap.sh helps a script) or just exits: 0 passed, 77 skipped, else failed.
 # TEST_TIMEOUT seconds end a test that hangs. What a test says goes to $B/log/ and is shown when it fails.
@@ -31,7 +31,7 @@ slow_sanitized+=' test_depth test_demos test_ahead test_depth_mesa test_fx_math 
 unit_tests='tests/*/test_*.c tests/*/*/test_*.c'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.
-first='test_guest_hal test_page test_asset_cli test_run test_guest_usb test_firmware_rp2350 test_depth_target test_kernels test_size
+first='test_guest_hal test_page test_asset_cli test_guest_usb test_firmware_rp2350 test_kernels test_size
 test_house test_sim_cli test_readme test_firmware_scene
 long_boards_rp2040 long_firmware_rp2350 exhaustive_fx_math exhaustive_fx long_guest_soak long_guest_panel_boards long_mutants long_proof
 long_debian13 long_bare long_guest_flash_cuts long_guest_panel long_make long_firmware_rp2040 long_firmware_rp2350_emulated long_firmware long_firmware_lm3s long_guest_flash'
@@ -128,22 +128,26 @@ export sanitize
 
 is_one_of() { [[ " $2 " = *" $(basename "$1" .c) "* ]]; }
 
+plain() { echo "$(basename "$1" .c) $B $1"; }
+sanitized() { echo "$(basename "$1" .c).asan $B/asan $1"; }
+one_way() { if is_one_of "$1" "$2"; then plain "$1"; else sanitized "$1"; fi; }   # test, the slow ones
+other_way() { if is_one_of "$1" "$2"; then sanitized "$1"; else plain "$1"; fi; } # test, the slow ones
+
 # One line a job, the words of job()'s arguments.
 list() {
     local f
     case $mode in
     check)
         for f in $quick_scripts; do f=$(echo tests/*/"$f".sh) && [ ! -e "$f" ] || echo "$(basename "$f" .sh) - $f"; done
-        for f in $unit_tests; do is_one_of "$f" "$slow_units" || echo "$(basename "$f" .c) $B $f"; done
+        for f in $unit_tests; do is_one_of "$f" "$slow_units" || plain "$f"; done
         ;;
     test)
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
         for f in tests/*/test_*.sh; do echo "$(basename "$f" .sh) - $f"; done
-        for f in $unit_tests; do echo "$(basename "$f" .c) $B $f"; done
-        for f in $unit_tests; do is_one_of "$f" "$slow_sanitized" || echo "$(basename "$f" .c).asan $B/asan $f"; done
+        for f in $unit_tests; do one_way "$f" "$slow_sanitized"; done
         ;;
     long)
-        for f in $unit_tests; do ! is_one_of "$f" "$slow_sanitized" || echo "$(basename "$f" .c).asan $B/asan $f"; done
+        for f in $unit_tests; do other_way "$f" "$slow_sanitized"; done
         for f in tests/*/long_*.sh; do echo "$(basename "$f" .sh) - $f"; done
         for f in tests/*/exhaustive_*.c; do echo "$(basename "$f" .c) $B $f"; done
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).long.asan $B/asan $f long"; done

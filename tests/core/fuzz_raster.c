@@ -9,7 +9,7 @@
  * `fuzz_raster 1 SEED` repeats that frame alone.
  *
  * Usage: fuzz_raster threads [FRAMES [SEED]]
- * draws so many frames (50) again with a thread as second core. test_sanitizers.sh has ThreadSanitizer look at it.
+ * draws so many frames (50) again with a thread as second core. long_sanitizers.sh has ThreadSanitizer look at it.
  */
 #include "render.h"
 #include "shadow.h"

@@ -273,49 +273,50 @@ an_image_too_large_is_not_made() {
         [ ! -e "$B/firmware/lm3s6965evb-sphere.elf" ]
 }
 
-check "a triangle with two corners in one place is dropped, a model without an area refused" no_area_is_dropped_or_refused
-check "the file, the C scene and the binary scene are one picture" the_three_forms_are_one_picture
-check "bounds that lie are found" bounds_that_lie_are_found
-check "long work shows a bar on a terminal" bar_is_for_terminals
-check "the simulator shows what the kit has room for" the_simulator_shows_what_the_kit_has_room_for
-check "compiled_scene_draws_the_simulators_bytes_and_those_of_the_model" same_frames "$scene" 4294967295 pico-display waveshare-pico-lcd-1in3 lm3s6965evb sim-ili9488
-check "compiled_turntable_draws_the_simulators_bytes_and_those_of_the_model" sphere_frames "$dir/sphere.obj" 4294967295 rpi-waveshare-1in3 rpi-mini-pitft-1in14
+short "a triangle with two corners in one place is dropped, a model without an area refused" no_area_is_dropped_or_refused
+short "the file, the C scene and the binary scene are one picture" the_three_forms_are_one_picture
+short "bounds that lie are found" bounds_that_lie_are_found
+short "long work shows a bar on a terminal" bar_is_for_terminals
+short "the simulator shows what the kit has room for" the_simulator_shows_what_the_kit_has_room_for
+short "compiled_scene_draws_the_simulators_bytes_and_those_of_the_model" same_frames "$scene" 4294967295 pico-display
+long "... on other boards, too" same_frames "$scene" 4294967295 waveshare-pico-lcd-1in3 lm3s6965evb sim-ili9488
+long "compiled_turntable_draws_the_simulators_bytes_and_those_of_the_model" sphere_frames "$dir/sphere.obj" 4294967295 rpi-waveshare-1in3 rpi-mini-pitft-1in14
 if [ -e /usr/include/meshoptimizer.h ]; then
     if command -v node >/dev/null; then
-        check "fifty thousand nodes take seconds" many_nodes_take_seconds
-        check "twenty thousand colours take seconds" colours_of_their_own_take_seconds
+        long "fifty thousand nodes take seconds" many_nodes_take_seconds
+        long "twenty thousand colours take seconds" colours_of_their_own_take_seconds
     else
         skip "fifty thousand nodes take seconds" "no node: apt-get install nodejs"
     fi
-    check "simplified_scene_draws_the_simulators_bytes" same_frames "$dir/sphere.obj" 500 pico-display waveshare-pico-lcd-0in96
-    check "a simplified animation draws the simulator's bytes" same_frames "$moving" 36 pico-display
-    check "simplified_scene_is_close_to_the_model" close_to_the_model
-    check "frames_move" frames_move
-    check "other_data_is_seen" other_data_is_seen
-    check "output_is_deterministic" output_is_deterministic
-    check "too_large_for_the_board_says_what_to_do" too_large_for_the_board_says_what_to_do
-    check "what does not fit is reported, and refused" what_does_not_fit_is_reported
-    check "what_it_says_to_do_works" as_said
-    check "little_room_gets_no_platter" little_room_gets_no_platter
+    long "simplified_scene_draws_the_simulators_bytes" same_frames "$dir/sphere.obj" 500 pico-display waveshare-pico-lcd-0in96
+    short "a simplified animation draws the simulator's bytes" same_frames "$moving" 36 pico-display
+    long "simplified_scene_is_close_to_the_model" close_to_the_model
+    short "frames_move" frames_move
+    short "other_data_is_seen" other_data_is_seen
+    short "output_is_deterministic" output_is_deterministic
+    short "too_large_for_the_board_says_what_to_do" too_large_for_the_board_says_what_to_do
+    short "what does not fit is reported, and refused" what_does_not_fit_is_reported
+    short "what_it_says_to_do_works" as_said
+    short "little_room_gets_no_platter" little_room_gets_no_platter
 else
     skip "simplified_scene_draws_the_simulators_bytes" "no meshoptimizer: apt-get install libmeshoptimizer-dev"
 fi
-check "clang_and_arm_gcc_compile_it_and_its_size_is_as_reported" clang_and_arm_compile_it "$scene"
-check "so they do with an animation" clang_and_arm_compile_it "$moving"
-check "a clip is played by its name in every form" clips_are_played_by_name
-check "the report says by how much 16-bit numbers are off" rounding_is_reported
-check "filters_are_in_the_file_and_change_the_picture" filters_are_in_the_file
-check "odd_names_stay_out_of_the_c_file" odd_names_stay_out_of_the_c_file
-check "wrong_usage_is_told" wrong_usage_is_told
-check "bad_models_are_told_and_leave_nothing" bad_models_are_told_and_leave_nothing
-check "a model reads nothing outside of its folder unless it may" a_model_stays_in_its_folder
-check "a_file_limit_leaves_nothing" a_file_limit_leaves_nothing
-check "every_board_is_in_the_report" reports_every_board
+short "clang_and_arm_gcc_compile_it_and_its_size_is_as_reported" clang_and_arm_compile_it "$scene"
+long "so they do with an animation" clang_and_arm_compile_it "$moving"
+short "a clip is played by its name in every form" clips_are_played_by_name
+short "the report says by how much 16-bit numbers are off" rounding_is_reported
+short "filters_are_in_the_file_and_change_the_picture" filters_are_in_the_file
+short "odd_names_stay_out_of_the_c_file" odd_names_stay_out_of_the_c_file
+short "wrong_usage_is_told" wrong_usage_is_told
+short "bad_models_are_told_and_leave_nothing" bad_models_are_told_and_leave_nothing
+short "a model reads nothing outside of its folder unless it may" a_model_stays_in_its_folder
+short "a_file_limit_leaves_nothing" a_file_limit_leaves_nothing
+short "every_board_is_in_the_report" reports_every_board
 if ! command -v arm-none-eabi-gcc >/dev/null || ! command -v qemu-system-arm >/dev/null; then
     skip "an_image_draws_it_in_an_emulated_kit" "no arm-none-eabi-gcc or no qemu-system-arm"
 else
-    check "an_image_draws_it_in_an_emulated_kit" an_image_draws_it "$scene" scene
-    check "an_image_plays_an_animation_in_an_emulated_kit" an_image_draws_it "$moving" moving
-    check "an_image_too_large_for_its_board_is_not_made" an_image_too_large_is_not_made
+    long "an_image_draws_it_in_an_emulated_kit" an_image_draws_it "$scene" scene
+    long "an_image_plays_an_animation_in_an_emulated_kit" an_image_draws_it "$moving" moving
+    long "an_image_too_large_for_its_board_is_not_made" an_image_too_large_is_not_made
 fi
 tap_end

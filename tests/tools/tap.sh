@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # For shell tests: `. tests/tools/tap.sh`, then one `check` or `skip` per test and `tap_end`. Output is TAP; tests/run.sh counts it.
-#   check "a name as a sentence" command [argument...]    passes when the command does; its output is shown when not
+#   check "a name as a sentence" command [argument...]    passes when the command does; its output is shown when not, and how long it took from 2 s on
 #   skip  "a name as a sentence" "reason"
 #   short "a name as a sentence" command...    a check that a long test leaves out: LONG is empty
 #   long  "a name as a sentence" command...    one of many alike: a long test (LONG=1) takes its share of them
@@ -11,7 +11,7 @@ tap_count=0
 tap_failed=0
 
 check() {
-    local name=$1 output
+    local name=$1 output begin=$SECONDS
     shift
     tap_count=$((tap_count + 1))
     if output=$("$@" 2>&1); then
@@ -21,6 +21,7 @@ check() {
         echo "not ok $tap_count - $name"
         [ -z "$output" ] || echo "# ${output//$'\n'/$'\n'# }"
     fi
+    [ $((SECONDS - begin)) -lt 2 ] || echo "# took $((SECONDS - begin)) s"
 }
 
 skip() {
