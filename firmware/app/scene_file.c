@@ -64,7 +64,7 @@ static bool is_share(int32_t share)
 static bool is_surface_right(const struct scene_file_mesh *m)
 {
     return m->shading < SCENE_FILE_SHADINGS && m->shading != SCENE_FILE_WIRE && m->two_sided <= 1 &&
-           m->shininess_log2 <= 7 && m->blend <= SCENE_FILE_ADD && m->alpha <= 32 && m->depth_bias <= 56 &&
+           m->shininess_log2 <= 7 && m->blend <= SCENE_FILE_TIMES && m->alpha <= 32 && m->depth_bias <= 56 &&
            is_share(m->ambient) && is_share(m->diffuse) && is_share(m->specular) &&
            (m->blend != SCENE_FILE_MASK || m->alphas.texels != 0) &&
            (m->blend != SCENE_FILE_OPAQUE || m->alphas.texels == 0);
@@ -236,7 +236,11 @@ static struct ph_texture texture_of(const uint8_t *base, const struct scene_file
 }
 
 static const uint8_t blend_kinds[] = {
-    [SCENE_FILE_MASK] = PH_BLEND_MASK, [SCENE_FILE_ALPHA] = PH_BLEND_ALPHA, [SCENE_FILE_ADD] = PH_BLEND_ADD};
+    [SCENE_FILE_MASK] = PH_BLEND_MASK,
+    [SCENE_FILE_ALPHA] = PH_BLEND_ALPHA,
+    [SCENE_FILE_ADD] = PH_BLEND_ADD,
+    [SCENE_FILE_TIMES] = PH_BLEND_TIMES,
+};
 
 static void set_drawn(struct drawn *d, const uint8_t *base, const struct scene_file_mesh *m)
 {

@@ -63,7 +63,7 @@ static inline uint8_t scene_file_wrap(uint8_t wrap)
 /* Numbers of filters. */
 enum scene_file_filter_number { SCENE_FILE_NEAREST, SCENE_FILE_BILINEAR, SCENE_FILE_MIPMAP, SCENE_FILE_FILTERS };
 
-enum scene_file_blend { SCENE_FILE_OPAQUE, SCENE_FILE_MASK, SCENE_FILE_ALPHA, SCENE_FILE_ADD };
+enum scene_file_blend { SCENE_FILE_OPAQUE, SCENE_FILE_MASK, SCENE_FILE_ALPHA, SCENE_FILE_ADD, SCENE_FILE_TIMES };
 
 /* Numbers of shadings; a scene has no wires. */
 enum scene_file_shading_number {

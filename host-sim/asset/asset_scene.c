@@ -48,7 +48,11 @@ static struct scene_file_texture write_texture(struct writer *to, const struct p
 }
 
 static const uint8_t blends[] = {
-    [PH_BLEND_MASK] = SCENE_FILE_MASK, [PH_BLEND_ALPHA] = SCENE_FILE_ALPHA, [PH_BLEND_ADD] = SCENE_FILE_ADD};
+    [PH_BLEND_MASK] = SCENE_FILE_MASK,
+    [PH_BLEND_ALPHA] = SCENE_FILE_ALPHA,
+    [PH_BLEND_ADD] = SCENE_FILE_ADD,
+    [PH_BLEND_TIMES] = SCENE_FILE_TIMES,
+};
 
 /* Tracks of a clip; returns where. */
 static uint32_t write_tracks(struct writer *to, const struct ph_clip *clip)

@@ -119,7 +119,8 @@ static void copy_triangles(const struct piece *from, uint16_t (*to)[3])
     }
 }
 
-/* Copies the vertex colours; where all are the colour of the material, there are none. */
+/* Copies the vertex colours; where all are the colour of the material, there are none. A texture's are drawn over it.
+ */
 static bool copy_colours(struct model_shared *shared, const struct piece *piece, struct ph_mesh *to)
 {
     const float(*const from)[3] = (const float(*)[3])piece->place->mesh->colours;
@@ -128,7 +129,6 @@ static bool copy_colours(struct model_shared *shared, const struct piece *piece,
         return true;
     }
     if (to->materials->texture != NULL) {
-        model_shared_note(shared, "vertex colours of textured meshes are ignored");
         return true;
     }
     uint16_t *colours = demo_alloc(&shared->arena, sizeof *colours * piece->vertex_count);
@@ -238,7 +238,7 @@ static size_t count_pieces(const struct model_places *places)
 {
     size_t count = 0;
     for (size_t i = 0; i < places->count; i++) {
-        count += 2 * (places->list[i].mesh->triangle_count / FLAT_FACES + 1); /* a glow is a mesh of its own */
+        count += 3 * (places->list[i].mesh->triangle_count / FLAT_FACES + 1); /* glow and tint are meshes, too */
     }
     return count;
 }
@@ -275,12 +275,31 @@ static bool add_mesh(struct model_shared *shared, const struct piece *piece, con
     return true;
 }
 
+/* Whether vertices of a textured mesh have colours that change the texture's. */
+static bool is_tinted(struct model_shared *shared, const struct model_mesh *mesh, const struct model_material *material)
+{
+    bool is_white = true;
+    for (size_t i = 0; mesh->colours != NULL && i < mesh->vertex_count; i++) {
+        const float *const c = mesh->colours[i];
+        is_white = is_white && c[0] >= 1 && c[1] >= 1 && c[2] >= 1;
+    }
+    if (is_white || mesh->uvs == NULL || material->surface.texture == NULL) {
+        return false;
+    }
+    if (!material->can_tint) {
+        model_shared_note(shared, "vertex colours of textured meshes that are not opaque are ignored");
+    }
+    return material->can_tint;
+}
+
 static bool copy_place(struct model_shared *shared, const struct model_place *place, const struct model_fit *fit,
                        const struct model_material *material)
 {
+    const bool tints = is_tinted(shared, place->mesh, material);
     for (unsigned first = 0; first < place->mesh->triangle_count;) {
         const struct piece piece = next_piece(place, first);
         if (!add_mesh(shared, &piece, fit, &material->surface) ||
+            (tints && !add_mesh(shared, &piece, fit, &material->tint)) ||
             (material->glows && !add_mesh(shared, &piece, fit, &material->glow))) {
             return false;
         }

@@ -11,7 +11,7 @@
 #define DIFFUSE        (FX_ONE * 13 / 20)
 #define GLOSS          (FX_ONE / 4)
 #define SHININESS_LOG2 5
-#define GLOW_BIAS      8 /* a code of every depth format: what is blended must be nearer */
+#define OVER_BIAS      8 /* a code of every depth format: what is drawn once more must be nearer */
 
 uint8_t model_surface_channel(float value)
 {
@@ -185,13 +185,27 @@ static bool make_glow(struct model_shared *shared, const struct model_surface *f
                                .alphas = alphas};
     to->glow = (struct ph_material){.shading = PH_SHADE_UNLIT,
                                     .two_sided = to->surface.two_sided,
-                                    .depth_bias = GLOW_BIAS,
+                                    .depth_bias = OVER_BIAS,
                                     .colour = ph_rgb565(from->glow[0], from->glow[1], from->glow[2]),
                                     .ramp = to->surface.ramp,
                                     .texture = varies ? make_texture(shared, from, &from->glowing) : NULL,
                                     .blend = blend};
     to->glows = !varies || to->glow.texture != NULL;
     return true;
+}
+
+/* Sets what is drawn over the surface where its vertices have colours. What shows through is multiplied, too: so the
+ * surface must be opaque. */
+static void make_tint(struct model_material *to)
+{
+    static const struct ph_blend times = {.draw = ph_draw_blended, .kind = PH_BLEND_TIMES, .alpha = 32};
+    to->tint = (struct ph_material){.shading = PH_SHADE_UNLIT,
+                                    .two_sided = to->surface.two_sided,
+                                    .depth_bias = OVER_BIAS,
+                                    .colour = 0xffff,
+                                    .ramp = to->surface.ramp,
+                                    .blend = &times};
+    to->can_tint = to->surface.texture != NULL && to->surface.blend == NULL;
 }
 
 bool model_surface_make(struct model_shared *shared, struct model_surface *from, struct model_material *to)
@@ -221,6 +235,7 @@ bool model_surface_make(struct model_shared *shared, struct model_surface *from,
                                        .ramp = ramp,
                                        .texture = texture};
     const bool is_made = make_blend(shared, from, &to->surface) && (!is_over || make_glow(shared, from, to));
+    make_tint(to);
     picture_in_free(&from->picture);
     picture_in_free(&from->mask);
     picture_in_free(&from->glowing);

@@ -30,10 +30,11 @@ struct model_surface {
 /* A channel of 0 .. 1 as one of 0 .. 255; what is outside is clamped. */
 uint8_t model_surface_channel(float value);
 
-/* What a mesh is drawn with. Emission of a surface with a texture is drawn once more over it, and added. */
+/* What a mesh is drawn with. Emission of a surface with a texture is drawn once more over it, and added; so are vertex
+ * colours on an opaque texture, and multiplied. */
 struct model_material {
-    struct ph_material surface, glow;
-    bool glows;
+    struct ph_material surface, glow, tint;
+    bool glows, can_tint;
 };
 
 /* Makes the material. Emission is in the ramp where there is no texture. false: the arena is full. */

@@ -248,10 +248,9 @@ static void what_is_ignored_is_noted_once(void **state)
 {
     (void)state;
     write_png("six.png");
-    struct model *model = open_good(red_obj("newmtl a\nmap_Kd six.png\nnewmtl b\nmap_Kd six.png\n"));
-    assert_string_equal(model->note,
-                        "texture six.png is resized from 3x2 to 4x2; vertex colours of textured meshes are "
-                        "ignored");
+    struct model *model = open_good(red_obj("newmtl a\nmap_Kd six.png\nd .5\nnewmtl b\nmap_Kd six.png\nd .5\n"));
+    assert_string_equal(model->note, "texture six.png is resized from 3x2 to 4x2; vertex colours of textured meshes "
+                                     "that are not opaque are ignored");
     model_close(model);
     model = open_good(cube_obj());
     assert_null(model->note);
@@ -480,7 +479,7 @@ static void a_texture_inside_the_model_file_is_used(void **state)
     const struct ph_texture *texture = model->meshes->materials->texture;
     assert_non_null(texture);
     assert_int_equal(texture->texels[0], ph_rgb565(255, 0, 0));
-    assert_int_equal(texture->wrap, PH_WRAP_CLAMP);
+    assert_int_equal(texture->wrap, PH_WRAP_CLAMP_U);
     model_close(model);
     free(gltf);
     free(text);

@@ -10,7 +10,7 @@
 struct model_gltf_uv {
     uint32_t set; /* TEXCOORD_set */
     double m[2][3];
-    double factor[4];
+    double factor[4]; /* 1 where the texture has it already */
 };
 
 /* A channel of a display, 0 .. 255, for linear light of 0 .. 1; what is outside is clamped. */

@@ -324,6 +324,7 @@ static bool read_material(struct model_shared *shared, struct gltf_file *file, c
     for (int c = 0; c < 3; c++) {
         surface.colour[c] = model_gltf_channel(factor[c]);
         surface.glow[c] = model_gltf_channel(glow[c]);
+        factor[c] = surface.picture.picture.rgb != NULL ? 1 : factor[c];
     }
     return model_surface_make(shared, &surface, to);
 }

@@ -167,8 +167,10 @@ static void surfaces_are_those_of_the_materials(void **state)
         assert_int_equal(to->alphas.texels != 0, m == 1 || m == 3);
     }
     made_blend(1)->kind = PH_BLEND_MASK;
+    made_blend(2)->kind = PH_BLEND_TIMES;
     write_scene();
     assert_int_equal(mesh_at(3)->blend, SCENE_FILE_MASK);
+    assert_int_equal(mesh_at(2)->blend, SCENE_FILE_TIMES);
     static const struct ph_shading *const known[] = {PH_SHADE_FLAT, PH_SHADE_TEXTURE_GOURAUD};
     for (int i = 0; i < 2; i++) {
         made_material(1)->shading = known[i];

@@ -196,7 +196,36 @@ static void colours_of_vertices_stay_where_they_differ_from_the_material(void **
     meshes[0].uvs = uvs;
     materials[0].surface.texture = &texture;
     assert_null(read_good()->colours);
-    assert_string_equal(shared.note, "vertex colours of textured meshes are ignored");
+    assert_string_equal(shared.note, "vertex colours of textured meshes that are not opaque are ignored");
+}
+
+/* The mesh once more, with its vertices' colours, which are multiplied; white ones change nothing. */
+static void colours_of_vertices_are_drawn_over_a_texture(void **state)
+{
+    (void)state;
+    for (int white = 0; white < 2; white++) {
+        fresh(NULL);
+        for (int i = 0; i < 3; i++) {
+            memcpy(colours[i], (float[3]){1, white || i > 0 ? 1 : .5f, 1}, sizeof colours[i]);
+        }
+        meshes[0].colours = colours;
+        meshes[0].uvs = uvs;
+        materials[0].surface.texture = &texture;
+        materials[0].tint = (struct ph_material){.shading = PH_SHADE_UNLIT, .colour = 0xffff, .depth_bias = 8};
+        materials[0].can_tint = true;
+        const struct ph_mesh *m = read_good();
+        assert_true(m[0].materials->texture == &texture && m[0].colours == NULL);
+        assert_int_equal(shared.model.mesh_count, white ? 1 : 2);
+        if (!white) {
+            assert_int_equal(m[1].materials->depth_bias, 8);
+            assert_true(m[1].triangle_count == m[0].triangle_count && m[1].uvs == NULL);
+            assert_memory_equal(m[1].positions, m[0].positions, sizeof *m->positions * m->vertex_count);
+            assert_int_equal(m[1].colours[0], ph_rgb565(255, 128, 255));
+            assert_int_equal(m[1].colours[2], 0xffff);
+        }
+        assert_string_equal(shared.note, "");
+    }
+    materials[0].can_tint = false;
 }
 
 static void a_texture_needs_coordinates(void **state)
@@ -331,6 +360,7 @@ int main(void)
         cmocka_unit_test_setup(what_a_node_mirrors_is_turned_over, fresh),
         cmocka_unit_test_setup(flat_meshes_are_split_at_21845_triangles, fresh),
         cmocka_unit_test_setup(colours_of_vertices_stay_where_they_differ_from_the_material, fresh),
+        cmocka_unit_test_setup(colours_of_vertices_are_drawn_over_a_texture, fresh),
         cmocka_unit_test_setup(a_texture_needs_coordinates, fresh),
         cmocka_unit_test_setup(alphas_need_coordinates_and_a_blend_does_not, fresh),
         cmocka_unit_test_setup(a_glow_is_a_mesh_of_its_own_without_colours, fresh),

@@ -183,6 +183,8 @@ static void the_option_or_the_file_chooses_the_filter(void **state)
         assert_non_null(made.surface.texture);
         assert_ptr_equal(made.surface.texture->filter, cases[i].filter);
         assert_int_equal(made.surface.texture->wrap, i & 3);
+        assert_true(made.can_tint && made.tint.blend->kind == PH_BLEND_TIMES && made.tint.blend->alpha == 32);
+        assert_true(made.tint.shading == PH_SHADE_UNLIT && made.tint.depth_bias >= 8 && made.tint.texture == NULL);
         assert_int_equal(shared.note[0] != '\0', cases[i].is_noted);
         assert_true(surface.picture.picture.rgb == NULL && surface.picture.alpha == NULL); /* they are freed */
     }
@@ -265,6 +267,7 @@ static void alpha_chooses_the_blend(void **state)
         assert_int_equal(b != NULL ? b->kind : -1, blends[i].kind);
         assert_int_equal(b != NULL ? b->alpha : 0, blends[i].strength);
         assert_int_equal(b != NULL && b->alphas != NULL, blends[i].green >= 0);
+        assert_int_equal(made.can_tint, b == NULL && made.surface.texture != NULL);
         assert_true(b == NULL || b->draw == (b->alphas != NULL ? ph_draw_blended_alphas : ph_draw_blended));
         if (blends[i].green >= 0) {
             unsigned c[3];
