@@ -20,8 +20,8 @@
  *
  * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending,
  * emission (a factor, and a texture at the coordinates of the base colour's), unlit, mirrored textures and
- * KHR_texture_transform. A required extension that is not read is an error. Of MTL: d and map_d. Blended meshes are
- * drawn in the order of the file. Emission of what has a texture, and vertex colours on an opaque texture, are meshes
+ * KHR_texture_transform. A required extension that is not read is an error. Of MTL: d and map_d. Meshes that
+ * blend are drawn from the farthest to the nearest, in the order of the file if they are more than 64. Emission of what has a texture, and vertex colours on an opaque texture, are meshes
  * of their own, drawn over it.
  *
  * A model may name files of its own folder and below: buffers, pictures, materials. One that leads out of it (../,

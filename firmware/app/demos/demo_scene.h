@@ -56,6 +56,12 @@ int32_t demo_half_text_y(const struct demo_context *context, bool second, int32_
 int demo_begin(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
                const struct ph_projection *projection, const struct ph_scene_light *light, uint16_t background);
 
+/*
+ * Draws a list of meshes, all at one place. Those through which something is seen come last, the farthest first by the
+ * middle of their boxes, as viewers do; if more than 64 are seen through they come in the list's order.
+ */
+int demo_draw_meshes(struct ph_renderer *r, const struct ph_mesh *meshes, uint32_t count, const struct ph_xform *place);
+
 /* Sets another camera for everything that is drawn from now on, in the same way. */
 int demo_camera(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
                 const struct ph_projection *projection);

@@ -49,9 +49,6 @@ int demo_still_frame(struct demo_context *context, struct ph_renderer *r, uint32
     struct ph_projection projection = s->projection;
     (void)frame;
     demo_orbit(context, &view, &projection);
-    int status = demo_begin(context, r, &view, &projection, &s->light, DEMO_MODEL_BACKGROUND);
-    for (uint32_t i = 0; i < s->mesh_count && status == PH_OK; i++) {
-        status = ph_draw_mesh(r, &s->meshes[i], &ph_xform_identity);
-    }
-    return status;
+    const int status = demo_begin(context, r, &view, &projection, &s->light, DEMO_MODEL_BACKGROUND);
+    return status ? status : demo_draw_meshes(r, s->meshes, s->mesh_count, &ph_xform_identity);
 }

@@ -143,9 +143,7 @@ int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, ui
     struct demo_fit camera = t->camera;
     demo_orbit(context, &camera.view, &camera.projection);
     int status = demo_begin(context, r, &camera.view, &camera.projection, &demo_two_lamps, DEMO_MODEL_BACKGROUND);
-    for (uint32_t i = 0; i < t->mesh_count && status == PH_OK; i++) {
-        status = ph_draw_mesh(r, &t->meshes[i], &to_world);
-    }
+    status = status ? status : demo_draw_meshes(r, t->meshes, t->mesh_count, &to_world);
     return status || !t->platter ? status : ph_draw_mesh(r, &t->platter->mesh, &turn);
 }
 
