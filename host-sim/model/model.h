@@ -18,11 +18,11 @@
  * The first clip of a glTF file plays, and repeats: nodes, skins of up to 256 joints and morph targets move, in fixed
  * point, as on a kit (motion.h).
  *
- * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending,
- * emission (a factor, and a texture at the coordinates of the base colour's), unlit, mirrored textures and
- * KHR_texture_transform. A required extension that is not read is an error. Of MTL: d and map_d. Meshes that
- * blend are drawn from the farthest to the nearest, in the order of the file if they are more than 64. Emission of what has a texture, and vertex colours on an opaque texture, are meshes
- * of their own, drawn over it.
+ * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending, emission
+ * (a factor, and a texture at the coordinates of the base colour's), unlit, mirrored textures and
+ * KHR_texture_transform. A required extension that is not read is an error. Of MTL: d and map_d. Meshes that blend
+ * are drawn from the farthest to the nearest, in the order of the file if they are more than 64. Emission of what
+ * has a texture, and vertex colours on an opaque texture, are meshes of their own, drawn over it.
  *
  * A model may name files of its own folder and below: buffers, pictures, materials. One that leads out of it (../,
  * an absolute path, a link) is an error unless options allow it: what a stranger's model names ends in an image.
