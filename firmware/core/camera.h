@@ -90,11 +90,19 @@ struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target
 /* A pinhole whose image, width x height, is at the distance focal from it. Errors as ph_projection_perspective. */
 int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t height, fx_t near_z, fx_t far_z);
 
-/* Fits the camera to a picture of another aspect (width / height); the vertical extent stays. Errors: PH_ERR_INVAL: an
- * aspect that is not more than 0, or a fisheye, whose pixels are square whatever the picture. */
+/*
+ * Fits the camera to a picture of width x height, in any unit, e.g. pixels; the vertical extent stays. scale_x is
+ * scale_y height / width, rounded once: 16:9 and 4:3 are exact, which no aspect in Q16.16 is.
+ * Errors: PH_ERR_INVAL: a side that is not more than 0, a scale that does not fit Q12.20, or a fisheye, whose pixels
+ * are square whatever the picture.
+ */
+int ph_projection_fit(struct ph_projection *p, fx_t width, fx_t height);
+
+/* Fits the camera to a picture of another aspect (width / height), as ph_projection_fit(p, aspect, FX_ONE) does. */
 int ph_projection_resize(struct ph_projection *p, fx_t aspect);
 
-/* Width and height of the view volume at the distance z along the view; they saturate. */
+/* Width and height of the view volume at the distance z along the view, within 0.5 LSB of what the scales say; they
+ * saturate. */
 void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, fx_t *height);
 
 /* Vertical field of view in degrees at which a height h at the distance z fills the picture: 2 atan(h / 2z).

@@ -360,32 +360,33 @@ static fx_t half_height(const struct sim_options *o, fx_t distance)
     return half > FX_MAX ? FX_MAX : (fx_t)half;
 }
 
-int sim_options_projection(const struct sim_options *o, uint16_t width, uint16_t height, struct ph_projection *p)
+/* The lens in a square picture; its window, where one is given, is not the picture's matter. */
+static int square_lens(const struct sim_options *o, struct ph_projection *p)
 {
-    const fx_t n = o->near_z, f = o->far_z;
-    if (o->lens_matrix_set) {
-        return sim_matrix_projection(&o->lens_matrix, (enum ph_convention)o->convention, p);
-    }
+    const fx_t n = o->near_z, f = o->far_z, *const w = o->window;
+    const bool ortho = o->projection == OPTION_ORTHO;
     if (o->focal != 0) {
-        const int64_t across = (int64_t)o->image_height * width / height;
-        return ph_projection_pinhole(p, fx_abs_sat(o->focal), across < FX_MAX ? (fx_t)across : FX_MAX, o->image_height,
-                                     n, f);
-    }
-    if (o->projection == OPTION_PERSPECTIVE) {
-        const fx_t fov = o->fov_deg != 0 ? o->fov_deg : FOV_DEG;
-        return ph_projection_perspective(p, fov, (fx_t)(((uint32_t)width << 16) / height), n, f);
+        return ph_projection_pinhole(p, fx_abs_sat(o->focal), o->image_height, o->image_height, n, f);
     }
     if (o->projection == OPTION_FISHEYE) {
         return ph_projection_fisheye(p, o->fov_deg != 0 ? o->fov_deg : FISHEYE_DEG, n, f);
     }
-    fx_t distance = n;
-    if (o->projection == OPTION_ORTHO) {
-        distance = o->camera.set ? o->camera.distance : FX_INT(3);
+    if (o->window_set) {
+        return (ortho ? ph_projection_ortho : ph_projection_frustum)(p, w[0], w[1], w[2], w[3], n, f);
     }
-    const fx_t top = half_height(o, distance);
-    const fx_t right = (fx_t)((int64_t)top * width / height > FX_MAX ? FX_MAX : (int64_t)top * width / height);
-    const fx_t fitted[4] = {-right, right, -top, top};
-    const fx_t *w = o->window_set ? o->window : fitted;
-    return (o->projection == OPTION_ORTHO ? ph_projection_ortho : ph_projection_frustum)(p, w[0], w[1], w[2], w[3], n,
-                                                                                         f);
+    if (ortho) {
+        const fx_t top = half_height(o, o->camera.set ? o->camera.distance : FX_INT(3));
+        return ph_projection_ortho(p, -top, top, -top, top, n, f);
+    }
+    return ph_projection_perspective(p, o->fov_deg != 0 ? o->fov_deg : FOV_DEG, FX_ONE, n, f);
+}
+
+int sim_options_projection(const struct sim_options *o, uint16_t width, uint16_t height, struct ph_projection *p)
+{
+    if (o->lens_matrix_set) {
+        return sim_matrix_projection(&o->lens_matrix, (enum ph_convention)o->convention, p);
+    }
+    const int status = square_lens(o, p);
+    return status != 0 || o->window_set || o->projection == OPTION_FISHEYE ? status
+                                                                           : ph_projection_fit(p, width, height);
 }

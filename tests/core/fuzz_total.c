@@ -423,6 +423,7 @@ static void any_volume(const int32_t *a)
     ph_projection_size_at(&p, a[7], &width, &height);
     check(width >= 0 && height >= 0, "a size is negative");
     check(ph_projection_resize(&p, a[7]) != PH_OK || p.scale_x_q20 > 0, "ph_projection_resize");
+    check(ph_projection_fit(&p, a[6], a[7]) != PH_OK || p.scale_x_q20 > 0, "ph_projection_fit");
 }
 
 static void fields_of_view(const int32_t *a)

@@ -141,6 +141,8 @@ static void impossible_cameras_are_refused_and_change_nothing(void **state)
         ph_projection_resize(&p, 0),
         ph_projection_resize(&p, -one),
         ph_projection_resize(&p, 1),
+        ph_projection_fit(&p, one, 0),
+        ph_projection_fit(&p, 1, FX_MAX),
     };
     for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]); i++) {
         if (refused[i] != PH_ERR_INVAL) {

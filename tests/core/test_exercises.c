@@ -312,6 +312,37 @@ static void resized_camera_is_the_camera_built_anew(void **state)
     }
 }
 
+/* Width over height in whole pixels. 90 degrees: cot 45 is 1, so that a scale is h / w and a width 2 z w / h, which are
+ * held in whole numbers. 60 degrees: cot 30 9/16 is 63850.32 of 65536, within 1/100. */
+static void a_picture_of_16_to_9_or_4_to_3_loses_nothing(void **state)
+{
+    (void)state;
+    static const fx_t sizes[][2] = {{4, 3}, {16, 9}, {9, 16}, {320, 240}, {240, 135}, {3, 7}, {1024, 600}};
+    for (int i = 0; i < 7; i++) {
+        const int64_t w = sizes[i][0], h = sizes[i][1];
+        struct ph_projection p = perspective(90, 1, .5, 50);
+        assert_int_equal(ph_projection_fit(&p, sizes[i][0], sizes[i][1]), PH_OK);
+        const int64_t off = (p.scale_x_q20 * w - (h << 20)) * 2;
+        assert_true(off <= w && off >= -w);
+        for (fx_t z = FX_ONE / 3; z < FX_INT(100); z += FX_ONE * 7 / 3) {
+            fx_t width, height;
+            ph_projection_size_at(&p, z, &width, &height);
+            assert_int_equal(height, 2 * z);
+            const int64_t wrong = ((int64_t)width * p.scale_x_q20 - ((int64_t)z << 21)) * 2;
+            assert_true(wrong <= p.scale_x_q20 && wrong >= -p.scale_x_q20);
+            const bool exact = w == 4 || w == 320; /* 3/4 fits Q12.20 */
+            const int64_t third = ((int64_t)width * 3 - (int64_t)z * 8) * 2;
+            assert_true(!exact || (third <= 3 && third >= -3));
+        }
+    }
+    struct ph_projection p = perspective(60, 1, 2, 10);
+    struct ph_mat4 m;
+    assert_int_equal(ph_projection_fit(&p, FX_MAX, 1), PH_ERR_INVAL); /* a scale below Q12.20 */
+    assert_int_equal(ph_projection_fit(&p, 16, 9), PH_OK);
+    assert_int_equal(ph_matrix_projection(&m, &p, PH_GL), PH_OK);
+    assert_int_equal(m.m[0][0], 63850);
+}
+
 /* ---- views -------------------------------------------------------------------------------------------------- */
 
 /* KAIST 4.6 and LMU task 1: rows r, u, -l times the translation by -e; 4600: rows R, U, F. Camera (3, 1, 4) at (0, 1,
@@ -478,6 +509,7 @@ int main(void)
         cmocka_unit_test(projecting_twice_is_projecting_once),
         cmocka_unit_test(frustum_has_the_sizes_of_its_angles),
         cmocka_unit_test(resized_camera_is_the_camera_built_anew),
+        cmocka_unit_test(a_picture_of_16_to_9_or_4_to_3_loses_nothing),
         cmocka_unit_test(look_at_has_the_rows_of_KAIST_LMU_and_4600),
         cmocka_unit_test(camera_matrix_of_exercise_2),
         cmocka_unit_test(camera_turned_by_90_degrees_about_y),

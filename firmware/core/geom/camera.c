@@ -101,17 +101,22 @@ int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t 
     return PH_OK;
 }
 
-PH_TIER(seldom) int ph_projection_resize(struct ph_projection *p, fx_t aspect)
+PH_TIER(seldom) int ph_projection_fit(struct ph_projection *p, fx_t width, fx_t height)
 {
-    if (p->kind == PH_FISHEYE || aspect <= 0 || p->scale_y_q20 <= 0) {
+    if (p->kind == PH_FISHEYE || width <= 0 || height <= 0 || p->scale_y_q20 <= 0) {
         return PH_ERR_INVAL;
     }
-    const int64_t x = (((int64_t)p->scale_y_q20 << 16) + aspect / 2) / aspect;
+    const int64_t x = (fx_mul_wide(p->scale_y_q20, height) + width / 2) / width;
     if (x <= 0 || x > INT32_MAX) {
         return PH_ERR_INVAL;
     }
     p->scale_x_q20 = (int32_t)x;
     return PH_OK;
+}
+
+PH_TIER(seldom) int ph_projection_resize(struct ph_projection *p, fx_t aspect)
+{
+    return ph_projection_fit(p, aspect, FX_ONE);
 }
 
 PH_TIER(seldom) static fx_t size_at(int32_t scale_q20, int64_t twice_z)

@@ -219,6 +219,14 @@ static void the_lens_fits_the_picture(void **state)
     expect_scales(&p, .5, 1);
     p = lens_of("--crc --projection frustum=-2,2,-1,1 --near 2", 100, 100);
     expect_scales(&p, 1, 2);
+    p = lens_of("--crc --fov 90", 160, 90);
+    assert_int_equal(p.scale_x_q20, 589824); /* 9/16 of 2^20 */
+    p = lens_of("--crc --projection frustum --fov 90", 160, 90);
+    assert_int_equal(p.scale_x_q20, 589824);
+    p = lens_of("--crc --projection ortho --fov 90 --camera eye=0,0,1", 160, 90);
+    assert_int_equal(p.scale_x_q20, 589824);
+    p = lens_of("--crc --focal 3,6", 160, 90);
+    assert_int_equal(p.scale_x_q20, 589824);
     p = lens_of("--crc --projection fisheye", 100, 100);
     assert_int_equal(p.kind, PH_FISHEYE);
     const struct ph_projection half = lens_of("--crc --projection fisheye --fov 90", 100, 100);
