@@ -13,6 +13,7 @@
 #include "nearest.h"
 #include "progress.h"
 #include "signal_stop.h"
+#include "sim_cameras.h"
 #include "sim_list.h"
 #include "sim_matrix.h"
 #include "sim_options.h"
@@ -68,17 +69,22 @@ static int through_convention(enum ph_convention convention, struct demo_camera 
     return status;
 }
 
-static int choose_camera(const struct sim_options *o, const struct sim_player_setup *setup, struct demo_camera *camera)
+/* Chooses the camera, and how its matrices are written. */
+static int choose_camera(const struct sim_options *o, const struct sim_player_setup *setup, struct demo_camera *camera,
+                         struct sim_matrix_writing *writing)
 {
     const struct panel *panel = setup->board->panel;
     /* A demo's own near and far planes fit its own view only. */
     const bool view_set = o->camera.set || o->view_matrix_set;
     const bool lens_set = o->projection_set || o->lens_matrix_set || view_set;
     *camera = (struct demo_camera){.view = o->camera.view, .view_set = view_set, .projection_set = lens_set};
-    if (o->view_matrix_set && sim_matrix_view(&o->view_matrix, (enum ph_convention)o->convention, &camera->view) != 0) {
+    bool left_world = false;
+    if (o->view_matrix_set &&
+        sim_matrix_view(&o->view_matrix, (enum ph_convention)o->convention, &camera->view, &left_world) != 0) {
         return complain_usage("--view-matrix: its first three rows must be a camera's axes in the --convention, unit "
                               "vectors at right angles, and its fourth 0,0,0,1");
     }
+    writing->left_world = left_world;
     if (o->focal < 0) { /* behind the hole the image is upside down */
         const struct ph_xform half_turn = ph_xform_rotate_z(0x80000000u);
         camera->view = ph_xform_mul(&half_turn, &camera->view);
@@ -101,7 +107,8 @@ static int choose_camera(const struct sim_options *o, const struct sim_player_se
     }
     if (status != 0) {
         const bool planes = o->near_z <= 0 || o->far_z <= o->near_z;
-        return planes ? complain_usage("--near, --far: near must be more than 0, and far more than near")
+        return planes ? complain_usage("--near, --far: near must be more than 0, and far more than near%s",
+                                       o->near_z < 0 ? "; below 0 they are in --convention lmu" : "")
                       : complain_usage("--projection, --fov: no such view volume; left and right, bottom and top "
                                        "must differ, and near, far and the angle be less extreme");
     }
@@ -114,6 +121,7 @@ struct chosen {
     struct model *model;
     struct asset asset; /* the model simplified, as an image of the board has it */
     struct demo model_demo;
+    struct sim_matrix_writing writing;
 };
 
 static int choose_view(const struct sim_options *o, struct sim_player_setup *setup)
@@ -200,7 +208,7 @@ static int choose(const struct sim_options *o, struct chosen *chosen, struct sim
         return complain_usage("--aa: pictures of at most %ux%u pixels, not %ux%u", ANTIALIAS_SIDE_MAX,
                               ANTIALIAS_SIDE_MAX, width, height);
     }
-    status = choose_camera(o, setup, &setup->camera);
+    status = choose_camera(o, setup, &setup->camera, &chosen->writing);
     return status != 0 ? status : choose_scene(o, chosen, setup);
 }
 
@@ -210,22 +218,37 @@ static FILE *report_file(const struct frame_out *out)
     return out->kind == FRAME_OUT_STREAM ? stderr : stdout;
 }
 
-static int show_matrices(const struct sim_options *o, const struct frame_out *out, struct sim_player *p)
+/* Prints the matrices of one camera. */
+static int print_matrices(const struct sim_options *o, FILE *file, const struct sim_player *p,
+                          const struct sim_camera *camera, struct sim_matrix_writing writing)
 {
-    struct ph_xform view;
-    struct ph_projection projection;
-    if (sim_player_camera(p, o->start, &view, &projection) != 0) {
-        return COMPLAINED;
-    }
-    const int status = sim_matrix_print(report_file(out), &view, &projection, p->runner.driver.width,
-                                        p->runner.driver.height, (enum ph_convention)o->convention);
+    const struct demo_camera *const user = &p->runner.context.camera; /* a demo may make its own of it */
+    const struct ph_projection *const lens = user->projection_set ? &user->projection : &camera->projection;
+    const int status =
+        sim_matrix_print(file, &camera->view, lens, p->runner.driver.width, p->runner.driver.height, writing);
     if (status == PH_ERR_RANGE) {
         return complain_usage("--matrix: an element does not fit Q16.16; move --near and --far apart");
     }
     if (status == 0 && o->flatten != NULL) {
-        sim_matrix_print_one(report_file(out), "flatten", &o->flat);
+        sim_matrix_print_one(file, "flatten", &o->flat);
     }
     return status == 0 ? 0 : complain_usage("--matrix: this demo's camera has no matrix; give a --projection");
+}
+
+static int show_matrices(const struct sim_options *o, FILE *file, struct sim_player *p,
+                         struct sim_matrix_writing writing)
+{
+    struct sim_cameras seen = {.count = 0};
+    sim_cameras_record(&seen);
+    int status = sim_player_scene(p, o->start);
+    sim_cameras_record(NULL);
+    for (uint32_t i = 0; i < seen.count && status == 0; i++) {
+        if (seen.count > 1) {
+            fprintf(file, "camera %u of %u\n", (unsigned)i + 1, (unsigned)seen.count);
+        }
+        status = print_matrices(o, file, p, &seen.cameras[i], writing);
+    }
+    return status;
 }
 
 /* Where the frames go, what they are compared with, and where the buttons come from. */
@@ -273,7 +296,7 @@ static int follow(const struct sim_options *o, struct stage *stage, struct sim_p
     *p = (struct sim_player){.sim = NULL};
     sim_virtual(&stage->chosen->virtual_board, width, height);
     if (status == 0) {
-        status = choose_camera(o, stage->setup, &stage->setup->camera);
+        status = choose_camera(o, stage->setup, &stage->setup->camera, &stage->chosen->writing);
     }
     if (status == 0) {
         status = sim_player_open(p, stage->setup);
@@ -315,7 +338,7 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
         o->out != NULL || o->crc || o->stats || o->check != NULL || o->show_window; /* --matrix alone draws none */
     const bool listed = o->stats || (o->crc && (stage->out.kind == FRAME_OUT_STREAM || isatty(STDOUT_FILENO)));
     const bool bar = drawn && !listed && !o->show_window; /* lines about frames where the bar would be tell enough */
-    int status = o->matrix ? show_matrices(o, &stage->out, p) : 0;
+    int status = o->matrix ? show_matrices(o, report_file(&stage->out), p, stage->chosen->writing) : 0;
     for (uint32_t i = 0; drawn && i < o->frames && status == 0 && signal_stop == 0; i++) {
         status = press(o, stage, p, o->start + i);
         if (status != 0) {
@@ -382,7 +405,7 @@ static int run(const struct sim_options *o, struct chosen *chosen, struct sim_pl
 
 static int draw(const struct sim_options *o)
 {
-    struct chosen chosen = {.model = NULL};
+    struct chosen chosen = {.model = NULL, .writing = {.convention = (enum ph_convention)o->convention}};
     struct sim_player_setup setup = {.board = NULL};
     int status = choose(o, &chosen, &setup);
     if (status == 0) {

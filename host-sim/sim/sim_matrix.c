@@ -65,28 +65,34 @@ static bool fixed(double x, int bits, int32_t *out)
     return fabs(x) <= INT32_MAX;
 }
 
-/* Whether the rows have unit length, are at right angles to one another, and are right-handed. */
-static bool is_rotation(double r[3][4])
+/* The determinant of rows that have unit length and are at right angles to one another, 1 or -1; of others 0. */
+static int hand_of(double r[3][4])
 {
     bool good = true;
-    double turned = 0; /* the determinant */
+    double turned = 0;
     for (int i = 0; i < 3; i++) {
         const double *const a = r[i], *const b = r[(i + 1) % 3], *const c = r[(i + 2) % 3];
         good = good && fabs(a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1) < 1e-4;
         good = good && fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) < 1e-4;
         turned += a[0] * (b[1] * c[2] - b[2] * c[1]);
     }
-    return good && turned > 0;
+    return !good ? 0 : turned > 0 ? 1 : -1;
 }
 
-int sim_matrix_view(const struct sim_matrix *from, enum ph_convention convention, struct ph_xform *view)
+int sim_matrix_view(const struct sim_matrix *from, enum ph_convention convention, struct ph_xform *view,
+                    bool *left_world)
 {
     struct sim_matrix a = *from;
+    const int hand = hand_of(a.m);
+    *left_world = convention == PH_D3D && hand > 0;
     for (int j = 0; j < 4 && convention == PH_D3D; j++) {
         a.m[2][j] = -a.m[2][j];
     }
-    bool good =
-        is_rotation(a.m) && is_zero(a.m[3][0]) && is_zero(a.m[3][1]) && is_zero(a.m[3][2]) && is_zero(a.m[3][3] - 1);
+    for (int i = 0; i < 3 && *left_world; i++) {
+        a.m[i][2] = -a.m[i][2];
+    }
+    bool good = (hand > 0 || (hand < 0 && convention == PH_D3D)) && is_zero(a.m[3][0]) && is_zero(a.m[3][1]) &&
+                is_zero(a.m[3][2]) && is_zero(a.m[3][3] - 1);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             good = fixed(a.m[i][j], 30, &view->r[i][j]) && good;
@@ -154,16 +160,25 @@ void sim_matrix_print_one(FILE *file, const char *name, const struct ph_mat4 *ma
     }
 }
 
+struct ph_mat4 sim_matrix_of_view(const struct ph_xform *view, struct sim_matrix_writing writing)
+{
+    struct ph_mat4 m = ph_matrix_view(view, writing.convention);
+    for (int i = 0; i < 3 && writing.left_world; i++) {
+        m.m[i][2] = fx_neg_sat(m.m[i][2]);
+    }
+    return m;
+}
+
 int sim_matrix_print(FILE *file, const struct ph_xform *view, const struct ph_projection *projection, uint16_t width,
-                     uint16_t height, enum ph_convention convention)
+                     uint16_t height, struct sim_matrix_writing writing)
 {
     struct ph_mat4 to_clip;
-    const int status = ph_matrix_projection(&to_clip, projection, convention);
+    const int status = ph_matrix_projection(&to_clip, projection, writing.convention);
     if (status != 0) {
         return status;
     }
-    const struct ph_mat4 to_camera = ph_matrix_view(view, convention);
-    const struct ph_mat4 to_pixels = ph_matrix_viewport(width, height, convention);
+    const struct ph_mat4 to_camera = sim_matrix_of_view(view, writing);
+    const struct ph_mat4 to_pixels = ph_matrix_viewport(width, height, writing.convention);
     sim_matrix_print_one(file, "view", &to_camera);
     sim_matrix_print_one(file, "projection", &to_clip);
     sim_matrix_print_one(file, "viewport", &to_pixels);

@@ -85,13 +85,15 @@ static bool set_fov(void *to, const char *value)
 static bool set_near(void *to, const char *value)
 {
     struct sim_options *o = to;
-    return set_distance(o, &o->near_z, value);
+    o->near_set = true;
+    return set_distance(o, &o->near_z, value) && o->near_z != FX_MIN;
 }
 
 static bool set_far(void *to, const char *value)
 {
     struct sim_options *o = to;
-    return set_distance(o, &o->far_z, value);
+    o->far_set = true;
+    return set_distance(o, &o->far_z, value) && o->far_z != FX_MIN;
 }
 
 static bool set_triangles(void *to, const char *value)
@@ -208,9 +210,11 @@ static const struct option_row rows[] = {
      "a pinhole camera, with an image H high (2 by default) at the distance F; F below 0: the image behind the\n"
      "        hole, upside down, which needs --camera",
      "a number that is not 0 and, optionally, a comma and a number more than 0", .set = set_focal},
-    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
-    {"far", "N", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
-     .set = set_far},
+    {"near", "N",
+     "distance of the near plane; 0.5 by default. --convention lmu writes both planes as coordinates, below 0",
+     "a number, more than 0, or with --convention lmu its negative", .set = set_near},
+    {"far", "N", "distance of the far plane; 100 by default",
+     "a number, more than near, at most 32767.99, or with --convention lmu its negative", .set = set_far},
     {"projection", "perspective|ortho[=L,R,B,T]|frustum[=L,R,B,T]|fisheye",
      "L,R,B,T is the window at the near plane; a fisheye is equidistant; perspective by default",
      "perspective, ortho, ortho=L,R,B,T, frustum, frustum=L,R,B,T or fisheye", .set = set_projection},
@@ -267,6 +271,21 @@ void sim_options_help(void)
          "controller, and shows what the glass shows.\n");
     option_table_help(&table);
     puts("\nExit status: 0 done; 1 failed, or the controller was misused; 2 wrong usage.");
+}
+
+/* LMU's planes are coordinates on the z axis, along whose negative half its camera looks. */
+static int take_planes(struct sim_options *o)
+{
+    if (o->convention != PH_LMU || (o->near_z >= 0 && o->far_z >= 0)) {
+        return 0;
+    }
+    if ((o->near_set && o->near_z >= 0) || (o->far_set && o->far_z >= 0)) {
+        return complain_usage("--near, --far: one is a coordinate, below 0, and the other a distance; write both in "
+                              "the same way");
+    }
+    o->near_z = fx_abs_sat(o->near_z);
+    o->far_z = fx_abs_sat(o->far_z);
+    return 0;
 }
 
 static int check_camera(const struct sim_options *o)
@@ -348,7 +367,8 @@ int sim_options_read(struct sim_options *o, int argc, char *const argv[])
     if (o->frames == 0) {
         o->frames = o->show_window ? UINT32_MAX : 1;
     }
-    return check_together(o);
+    const int status = take_planes(o);
+    return status != 0 ? status : check_together(o);
 }
 
 /* half = distance tan(fov / 2), rounded once; it saturates. */

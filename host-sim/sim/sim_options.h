@@ -52,7 +52,8 @@ struct sim_options {
     enum option_projection projection;
     bool window_set;
     fx_t window[4];              /* left, right, bottom, top: at the near plane (frustum), of the volume (ortho) */
-    fx_t fov_deg, near_z, far_z; /* fov_deg 0: not given */
+    fx_t fov_deg, near_z, far_z; /* fov_deg 0: not given; the planes are distances in every convention */
+    bool near_set, far_set;      /* was given */
     fx_t focal, image_height;    /* of a pinhole camera; focal 0: not given, below 0: the image is behind the hole */
 };
 

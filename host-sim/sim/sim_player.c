@@ -47,7 +47,7 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
     return status == 0 ? 0 : refuse(setup, status);
 }
 
-static int make_frame(struct sim_player *p, uint32_t frame)
+int sim_player_scene(struct sim_player *p, uint32_t frame)
 {
     const int status = runner_scene(&p->runner, frame);
     return status == 0 ? 0
@@ -66,17 +66,6 @@ static void tell_drops(struct sim_player *p, uint32_t frame)
                   (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped, p->runner.demo->name,
                   p->setup.board->name, (unsigned)p->setup.board->scene_bytes, p->setup.cure != NULL ? "; " : "",
                   p->setup.cure != NULL ? p->setup.cure : "");
-}
-
-int sim_player_camera(struct sim_player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection)
-{
-    if (make_frame(p, frame) != 0) {
-        return COMPLAINED;
-    }
-    const struct demo_camera *user = &p->runner.context.camera; /* a demo with several cameras makes its own of it */
-    *view = p->runner.renderer.view;
-    *projection = user->projection_set ? user->projection : p->runner.renderer.projection;
-    return 0;
 }
 
 void sim_player_move(struct sim_player *p, uint32_t turn32, int32_t up32, fx_t away)
@@ -102,7 +91,7 @@ int sim_player_frame(struct sim_player *p, uint32_t frame)
     if (runner_buttons(&p->runner, 0) != 0) {
         return refuse(&p->setup, PH_ERR_NOMEM);
     }
-    if (make_frame(p, frame) != 0) {
+    if (sim_player_scene(p, frame) != 0) {
         return COMPLAINED;
     }
     int status = runner_send(&p->runner);

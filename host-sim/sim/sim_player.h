@@ -52,8 +52,8 @@ void sim_player_drag(struct sim_player *p, int32_t right, int32_t down, int32_t 
  * glass shows. 0 or COMPLAINED. */
 int sim_player_frame(struct sim_player *p, uint32_t frame);
 
-/* Gets the camera of frame number `frame`, or the last one if the demo uses several. 0 or COMPLAINED. */
-int sim_player_camera(struct sim_player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection);
+/* Makes the scene of frame number `frame`, as sim_player_frame does before it draws. 0 or COMPLAINED. */
+int sim_player_scene(struct sim_player *p, uint32_t frame);
 
 /* Returns how long the last frame took on the bus. */
 uint64_t sim_player_bus_ns(const struct sim_player *p);

@@ -121,14 +121,13 @@ static void assert_framed(struct model *model, uint16_t width, uint16_t height)
     const struct ph_projection *lens = &model->camera.lens;
     struct sim_virtual v;
     struct sim_player p;
-    struct ph_xform view;
-    struct ph_projection shown;
     assert_int_equal(sim_virtual(&v, width, height), 0);
     const struct demo demo = model_demo(model);
     const struct sim_player_setup setup = {.board = &v.board, .band_height = 16, .demo = &demo, .state = model};
     assert_int_equal(sim_player_open(&p, &setup), 0);
-    assert_int_equal(sim_player_camera(&p, 0, &view, &shown), 0);
-    assert_memory_equal(&view, &model->camera.view, sizeof view);
+    assert_int_equal(sim_player_scene(&p, 0), 0);
+    assert_memory_equal(&p.runner.renderer.view, &model->camera.view, sizeof p.runner.renderer.view);
+    const struct ph_projection shown = p.runner.renderer.projection;
     assert_true(fabs((double)shown.scale_x_q20 * width - (double)shown.scale_y_q20 * height) < 4 * (width + height));
     assert_true(lens->scale_x_q20 == 0 || shown.scale_x_q20 <= lens->scale_x_q20 + 4);
     assert_true(shown.scale_y_q20 <= lens->scale_y_q20);

@@ -283,6 +283,28 @@ END
         [ "$(matrices 13 "${camera[@]}" --convention lmu)" = "0 50 0 50" ] && [ "$("$sim" --matrix "${camera[@]}" | wc -l)" = 15 ]
 }
 
+# LMU's planes are coordinates: n = -2, f = -10. And 4600's simplest camera, whose world is left-handed as it is: 5 before the
+# origin, which it sees as ours does from (0,0,5).
+each_convention_is_typed_as_it_is_written() {
+    same "${odd[@]}" --near 2 --far 10 -- "${odd[@]}" --convention lmu --near -2 --far -10 &&
+        same --demo cube "${small[@]}" --camera eye=0,0,5 -- --demo cube "${small[@]}" --convention d3d --view-matrix 1,0,0,0,0,1,0,0,0,0,1,5,0,0,0,1 &&
+        [ "$(matrices 2,5 --convention d3d --view-matrix 1,0,0,0,0,1,0,0,0,0,1,5,0,0,0,1 | tr '\n' ' ')" = "1 0 0 0 0 1 0 0 0 0 1 5 0 0 0 1 " ] &&
+        same --demo cube "${small[@]}" --camera eye=5,0,0 -- --demo cube "${small[@]}" --convention d3d --view-matrix 0,0,1,0,0,1,0,0,-1,0,0,5,0,0,0,1
+}
+
+# 16:9 at 60 degrees: cot 30 9/16 = 63850.32 / 65536.
+a_picture_of_16_to_9_has_its_own_width() { [ "$(matrices 7 --size 320x180 --fov 60)" = "0.974273681640625 0 0 0" ]; }
+
+# conventions: four quarters, whose shifts say which; cube: one camera, as ever
+all_cameras_of_a_demo_are_printed() {
+    local demo
+    "$sim" --matrix --demo conventions >"$dir/matrix" && [ "$(grep -cx view "$dir/matrix")" = 4 ] &&
+        [ "$(awk 'NR % 16 == 8 || NR % 16 == 9 { print $3 }' "$dir/matrix" | tr '\n' ' ')" = '0.5 -0.5 -0.5 -0.5 0.5 0.5 -0.5 0.5 ' ] &&
+        [ "$(grep ^camera "$dir/matrix" | tr '\n' ' ')" = 'camera 1 of 4 camera 2 of 4 camera 3 of 4 camera 4 of 4 ' ] || return 1
+    for demo in zoom parallel; do [ "$("$sim" --matrix --demo $demo | grep -c '^camera [12] of 2$')" = 2 ] || return 1; done
+    ! "$sim" --matrix --demo cube | grep camera
+}
+
 # One camera in the words of several documents: HAW's exercise 2 (at (5,0,0), its axes in columns), PHIGS of EECE, LMU's quaternion.
 ways_to_state_a_view_agree() {
     local way
@@ -543,6 +565,9 @@ check camera_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,1 
 check camera_target_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,2 -- --demo torus "${small[@]}" --camera eye=0,0,2,target=.5,0,-3
 check camera_up_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,1 -- --demo torus "${small[@]}" --camera up=1,0,0,eye=0,0,1
 check camera_at_its_own_target_is_drawn "$sim" "${small[@]}" --camera eye=0,0,0,target=0,0,0,up=0,0,0 --crc
+check each_convention_is_typed_as_it_is_written each_convention_is_typed_as_it_is_written
+check a_picture_of_16_to_9_has_its_own_width a_picture_of_16_to_9_has_its_own_width
+check all_cameras_of_a_demo_are_printed all_cameras_of_a_demo_are_printed
 check ways_to_state_a_view_agree ways_to_state_a_view_agree
 check focal_is_the_distance_of_the_image focal_is_the_distance_of_the_image
 check matrices_of_all_conventions_draw_the_same matrices_of_all_conventions_draw_the_same
@@ -664,7 +689,6 @@ exclude|--board x --size 8x8 --crc
 --view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1,0 --crc
 --view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,0x1,0,0,0,0,1 --crc
 --view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,-1,0,0,0,0,1 --crc
---view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1 --convention d3d --crc
 --view-matrix|--view-matrix 2,0,0,0,0,2,0,0,0,0,2,0,0,0,0,1 --crc
 --view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1 --camera eye=0,0,1 --crc
 --projection-matrix|--projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,1,0 --crc
@@ -700,6 +724,11 @@ exclude|--board x --size 8x8 --crc
 --near|--near -1 --crc
 --near|--near 1,5 --crc
 --far|--far 40000 --crc
+below 0 they are in --convention lmu|--near -1 --far 5 --crc
+write both in the same way|--near -1 --far 5 --convention lmu --crc
+write both in the same way|--near 1 --far -5 --convention lmu --crc
+--near, --far: near must|--near -5 --far -1 --convention lmu --crc
+--far|--far -32768 --convention lmu --crc
 --near, --far: near must|--near 5 --far 5 --crc
 --near, --far: near must|--near 5 --far 4 --crc
 --projection, --fov|--projection frustum=1,1,0,1 --crc

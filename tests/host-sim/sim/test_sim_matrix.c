@@ -73,18 +73,44 @@ static void a_view_is_a_rotation_and_a_move(void **state)
 {
     (void)state;
     struct ph_xform view;
+    bool left_world = true;
     const int32_t unit = 1 << 30, r[3][3] = {{0, 0, unit}, {0, unit, 0}, {-unit, 0, 0}};
-    assert_int_equal(sim_matrix_view(&moved, PH_GL, &view), 0);
+    assert_int_equal(sim_matrix_view(&moved, PH_GL, &view, &left_world), 0);
     assert_memory_equal(view.r, r, sizeof r);
     assert_true(view.t.x == FX_INT(1) && view.t.y == FX_INT(-2) && view.t.z == FX_ONE / 2);
     struct sim_matrix d3d = moved; /* looks along +z: its third row is the other way round */
     d3d.m[2][0] = 1;
     d3d.m[2][3] = -0.5;
-    assert_int_equal(sim_matrix_view(&d3d, PH_D3D, &view), 0);
+    assert_int_equal(sim_matrix_view(&d3d, PH_D3D, &view, &left_world), 0);
     assert_memory_equal(view.r, r, sizeof r);
     assert_true(view.t.x == FX_INT(1) && view.t.y == FX_INT(-2) && view.t.z == FX_ONE / 2);
-    assert_int_equal(sim_matrix_view(&d3d, PH_GL, &view), PH_ERR_INVAL);
-    assert_int_equal(sim_matrix_view(&moved, PH_D3D, &view), PH_ERR_INVAL);
+    assert_false(left_world);
+    assert_int_equal(sim_matrix_view(&d3d, PH_GL, &view, &left_world), PH_ERR_INVAL);
+}
+
+/* 4600's world may be left-handed, as its camera is. A point that lies at (x, y, z) in its world lies at (x, y, -z) in
+ * ours, and one at (x, y, z) before its camera at (x, y, -z) before ours: each row of the product is worked out so. */
+static void a_left_handed_world_is_ours_with_z_turned_round(void **state)
+{
+    (void)state;
+    struct ph_xform view;
+    bool left_world = false;
+    const int32_t unit = 1 << 30, r[3][3] = {{0, 0, -unit}, {0, unit, 0}, {unit, 0, 0}};
+    assert_int_equal(sim_matrix_view(&moved, PH_D3D, &view, &left_world), 0);
+    assert_true(left_world);
+    assert_memory_equal(view.r, r, sizeof r);
+    assert_true(view.t.x == FX_INT(1) && view.t.y == FX_INT(-2) && view.t.z == FX_ONE / -2);
+    const struct ph_mat4 as_typed = sim_matrix_of_view(&view, (struct sim_matrix_writing){PH_D3D, true});
+    for (int i = 0; i < 16; i++) {
+        assert_int_equal(as_typed.m[i / 4][i % 4], (int)(moved.m[i / 4][i % 4] * FX_ONE));
+    }
+    for (int c = PH_GL; c <= PH_REVERSED; c++) { /* the others have one hand */
+        struct sim_matrix mirrored = moved;
+        mirrored.m[1][1] = -1;
+        assert_int_equal(sim_matrix_view(&mirrored, (enum ph_convention)c, &view, &left_world),
+                         c == PH_D3D ? 0 : PH_ERR_INVAL);
+        assert_false(left_world);
+    }
 }
 
 static void what_is_not_rigid_is_no_view(void **state)
@@ -97,14 +123,15 @@ static void what_is_not_rigid_is_no_view(void **state)
                  {2, 1, 0.001},  {3, 0, 0.001},  {3, 1, 0.001},  {3, 2, 0.001}, {3, 3, 0.999},
                  {0, 3, 32768},  {1, 3, 32768},  {2, 3, -32769}, {1, 1, -1}};
     struct ph_xform view;
+    bool left_world;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         struct sim_matrix m = moved;
         m.m[wrong[i].row][wrong[i].column] = wrong[i].value;
-        assert_int_equal(sim_matrix_view(&m, PH_GL, &view), PH_ERR_INVAL);
+        assert_int_equal(sim_matrix_view(&m, PH_GL, &view, &left_world), PH_ERR_INVAL);
     }
     struct sim_matrix m = moved; /* within 1/10000 */
     m.m[1][1] = 0.99997;
-    assert_int_equal(sim_matrix_view(&m, PH_GL, &view), 0);
+    assert_int_equal(sim_matrix_view(&m, PH_GL, &view, &left_world), 0);
     assert_int_equal(view.r[1][1], 1073709612); /* 0.99997 2^30 = 1073709611.6 */
 }
 
@@ -189,8 +216,9 @@ static void matrices_are_printed_row_by_row(void **state)
     FILE *const file = open_memstream(&text, &n);
     assert_non_null(file);
     fisheye.kind = PH_FISHEYE;
-    assert_int_equal(sim_matrix_print(file, &ph_xform_identity, &fisheye, 4, 2, PH_GL), PH_ERR_INVAL);
-    assert_int_equal(sim_matrix_print(file, &ph_xform_identity, &p, 4, 2, PH_GL), 0);
+    const struct sim_matrix_writing gl = {PH_GL, false};
+    assert_int_equal(sim_matrix_print(file, &ph_xform_identity, &fisheye, 4, 2, gl), PH_ERR_INVAL);
+    assert_int_equal(sim_matrix_print(file, &ph_xform_identity, &p, 4, 2, gl), 0);
     fclose(file);
     assert_string_equal(text, "view\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"
                               "projection\n1 0 0 0\n0 2 0 0\n0 0 -2 -3\n0 0 -1 0\n"
@@ -204,6 +232,7 @@ int main(void)
         cmocka_unit_test(sixteen_numbers_are_read_row_by_row),
         cmocka_unit_test(a_matrix_that_drops_the_depth_has_a_name),
         cmocka_unit_test(a_view_is_a_rotation_and_a_move),
+        cmocka_unit_test(a_left_handed_world_is_ours_with_z_turned_round),
         cmocka_unit_test(what_is_not_rigid_is_no_view),
         cmocka_unit_test(a_perspective_is_read_in_each_convention),
         cmocka_unit_test(a_parallel_projection_has_its_shift_in_the_last_column),

@@ -89,6 +89,14 @@ static void the_lens_has_its_options(void **state)
     (void)state;
     take("--crc --near 0.25 --far 7 --fov 45");
     assert_true(o.near_z == FX_ONE / 4 && o.far_z == FX_INT(7) && o.fov_deg == FX_INT(45) && o.projection_set);
+    take("--crc --convention lmu --near -2 --far -10");
+    assert_true(o.near_z == FX_INT(2) && o.far_z == FX_INT(10));
+    take("--crc --near -2 --convention lmu"); /* the other keeps its default */
+    assert_true(o.near_z == FX_INT(2) && o.far_z == FX_INT(100));
+    take("--crc --far -10 --convention lmu");
+    assert_true(o.near_z == FX_HALF && o.far_z == FX_INT(10));
+    take("--crc --near 2 --far 10 --convention lmu"); /* as distances */
+    assert_true(o.near_z == FX_INT(2) && o.far_z == FX_INT(10));
     take("--crc --focal -1.5,3 --camera eye=0,0,5");
     assert_true(o.focal == -98304 && o.image_height == FX_INT(3) && o.projection_set && o.camera.set);
     take("--crc --focal 2");
