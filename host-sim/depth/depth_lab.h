@@ -12,7 +12,8 @@
 
 #include <stdio.h>
 
-#define DEPTH_AT_MAX 512
+#define DEPTH_AT_MAX   512
+#define DEPTH_NEAR_MAX 4
 
 struct depth_lab {
     fx_t near_z, far_z;     /* --near, --far: 0 < near_z < far_z */
@@ -44,6 +45,9 @@ struct depth_lab {
     struct option_camera camera;
     bool fov_set; /* --fov was given */
     uint32_t start, frames;
+    /* plot: all the near planes that --near names; near_z is the first */
+    fx_t nears[DEPTH_NEAR_MAX];
+    uint32_t near_count;
     FILE *rows; /* where the command writes; it is thrown away after an error */
 };
 

@@ -18,7 +18,18 @@ static bool set_fx(fx_t *out, const char *value)
 static bool set_near(void *to, const char *value)
 {
     struct depth_lab *lab = to;
-    return (lab->near_set = set_fx(&lab->near_z, value)) && lab->near_z > 0;
+    lab->near_set = true;
+    for (lab->near_count = 0; lab->near_count < DEPTH_NEAR_MAX; value++) {
+        fx_t *const near_z = &lab->nears[lab->near_count++];
+        if (!option_text_fx(value, near_z, &value) || *near_z <= 0) {
+            return false;
+        }
+        lab->near_z = lab->nears[0];
+        if (*value != ',') {
+            return *value == '\0';
+        }
+    }
+    return false;
 }
 
 static bool set_far(void *to, const char *value)
@@ -151,7 +162,8 @@ static bool set_bits(void *to, const char *value)
 #define STEP_TEXT "a number of at least one step of Q16.16, 1/65536 = 0.000016, and at most 32767.99"
 
 static const struct option_row rows[] = {
-    {"near", "N", "distance of the near plane; 0.5 by default", STEP_TEXT, .set = set_near},
+    {"near", "N[,N...]", "distance of the near plane; 0.5 by default; plot draws a curve for each of up to four",
+     STEP_TEXT, .set = set_near},
     {"far", "F", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
      .set = set_far},
     {"depth", "NAME[,NAME...]|all",
@@ -253,6 +265,14 @@ void depth_options_help(const struct depth_command *table, uint32_t count)
 static int check_together(const struct depth_lab *lab, const struct depth_command *command)
 {
     char text[FX_TEXT_SIZE];
+    for (uint32_t i = 1; i < lab->near_count; i++) {
+        if (lab->nears[i] >= lab->far_z) {
+            return complain_usage("--near must be less than --far");
+        }
+    }
+    if (lab->near_count > 1 && command->run != depth_plot) {
+        return complain_usage("--near: %s takes one near plane; plot takes several", command->name);
+    }
     if (lab->near_z >= lab->far_z) {
         return complain_usage("--near must be less than --far");
     }

@@ -73,8 +73,17 @@ int depth_plot(const struct depth_lab *lab)
     if (kind == NULL) {
         return no_such_kind(lab->kind);
     }
+    const bool rows = lab->csv != NULL || lab->json != NULL;
+    if (rows && kind->rows == NULL) {
+        return complain_usage(
+            "plot %s has no --csv and --json: the commands resolve, pairs and budget have the numbers", kind->name);
+    }
+    const int written = rows ? kind->rows(lab) : 0;
+    if (written != 0 || (rows && lab->out == NULL)) {
+        return written;
+    }
     if (lab->out == NULL) {
-        return complain_usage("plot needs --out FILE.svg or FILE.png");
+        return complain_usage("plot needs --out FILE.svg or FILE.png, or --csv");
     }
     const bool png = option_text_ends(lab->out, ".png");
     if (!png && !option_text_ends(lab->out, ".svg")) {

@@ -11,6 +11,7 @@ struct depth_plot_kind {
     const char *name, *title;
     int width, height;                                       /* pixels */
     int (*write)(const struct depth_lab *lab, FILE *script); /* 0, or a status when one line has said why */
+    int (*rows)(const struct depth_lab *lab); /* writes CSV to lab->rows likewise; NULL: a command of its own does */
 };
 
 extern const struct depth_plot_kind depth_plot_kinds[];

@@ -55,7 +55,7 @@ static const struct depth_command commands[] = {
      "FILE|-: a log of the image of the depth lab (make firmware APP=depth) against this machine, byte for byte",
      " kind csv json ", "near [m],far [m],format,lines (measured),verdict", depth_compare},
     {"plot", "draws one of the KINDs ndc, g, resolve, others, pairs, budget through gnuplot",
-     " kind near far depth fov size at count spacing out ", NULL, depth_plot},
+     " kind near far depth fov size at count spacing out csv json ", NULL, depth_plot},
     {"all", "a report in Markdown: all of these for one camera, with tables, plots and the command that made each",
      " near far fov size out ", NULL, depth_report},
 };

@@ -13,6 +13,12 @@
 #include <string.h>
 
 /* In place of the commands' own sources. */
+int depth_plot(const struct depth_lab *lab)
+{
+    (void)lab;
+    return 0;
+}
+
 int depth_pairs(const struct depth_lab *lab)
 {
     (void)lab;
@@ -40,6 +46,7 @@ static const struct depth_command commands[] = {
     {.name = "pairs", .options = " depth near far ", .run = depth_pairs},
     {.name = "every", .options = ALL_OPTIONS, .run = other},
     {.name = "compare", .options = " kind near ", .run = depth_compare},
+    {.name = "drawn", .options = " near far ", .run = depth_plot},
     {.name = "plot", .options = " kind separate outside ", .run = other},
 };
 
@@ -52,7 +59,7 @@ static int read_line(const char *line)
     char *words[WORDS_MAX];
     const int count = words_of(line, words);
     stderr_capture_begin(&said);
-    const int status = depth_options_read(&lab, &command, commands, 4, count, words);
+    const int status = depth_options_read(&lab, &command, commands, 5, count, words);
     stderr_capture_end(&said);
     return status;
 }
@@ -99,6 +106,9 @@ static void each_option_sets_its_own(void **state)
     assert_string_equal(lab.csv, "a");
     assert_string_equal(lab.json, "b");
     assert_string_equal(lab.out, "c");
+    take("drawn --near 0.25,1 --far 8");
+    assert_true(lab.near_count == 2 && lab.near_z == FX_ONE / 4 && lab.nears[0] == FX_ONE / 4 &&
+                lab.nears[1] == FX_ONE);
     take("every --separate 0.125 --tilt -89 --spacing linear --bits 16 --fov 1");
     assert_true(lab.separate == FX_ONE / 8 && lab.tilt_set && lab.tilt_deg == FX_INT(-89) && lab.bits == 16);
     assert_int_equal(lab.spacing, LAB_LINEAR_SPACED);
@@ -154,6 +164,11 @@ static void wrong_lines_are_told(void **state)
         {"plot x --separation 1", "--separation: plot does not take it"}, /* though it takes --separate */
         {"plot x --out a", "--out: plot does not take it"},
         {"every --near 1 --far 1", "--near must be less than --far"},
+        {"drawn --near 1,9 --far 9", "--near must be less than --far"},
+        {"every --near 1,2", "--near: every takes one near plane"},
+        {"drawn --near 1,2,3,4,5", "--near"},
+        {"drawn --near 1,0", "--near"},
+        {"drawn --near 1,", "--near"},
         {"every --near 1 --at 0.99", "--at 0.99"},
         {"every --at 1,100.01", "must lie from --near to --far"},
         {"every --demo a --model b", "--demo and --model exclude each other"},
@@ -210,14 +225,14 @@ static void there_are_at_most_512_distances(void **state)
     (void)state;
     for (int n = 1; n <= 512; n++) {
         stderr_capture_begin(&said);
-        const int status = depth_options_read(&lab, &command, commands, 4, 4, words);
+        const int status = depth_options_read(&lab, &command, commands, 5, 4, words);
         stderr_capture_end(&said);
         assert_int_equal(status, 0);
         assert_int_equal(lab.at_count, n);
         strcat(text, ",2");
     }
     stderr_capture_begin(&said);
-    const int status = depth_options_read(&lab, &command, commands, 4, 4, words);
+    const int status = depth_options_read(&lab, &command, commands, 5, 4, words);
     stderr_capture_end(&said);
     assert_int_equal(status, PH_ERR_INVAL);
 }

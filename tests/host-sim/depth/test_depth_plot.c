@@ -1,5 +1,6 @@
 /* depth_plot: kinds and files by their names, the terminal for each, and what fails on the way. The test plays the
  * kinds and gnuplot. */
+#define _XOPEN_SOURCE 700 /* fmemopen */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -44,9 +45,15 @@ static int write_nothing(const struct depth_lab *lab, FILE *file)
     return COMPLAINED;
 }
 
-const struct depth_plot_kind depth_plot_kinds[] = {{"curve", "A curve", 640, 480, write_curve},
-                                                   {"nothing", "Nothing", 1, 2, write_nothing},
-                                                   {"behind", "Another", 3, 4, write_nothing}};
+static int put_row(const struct depth_lab *lab)
+{
+    fputs("row\n", lab->rows);
+    return 0;
+}
+
+const struct depth_plot_kind depth_plot_kinds[] = {{"curve", "A curve", 640, 480, write_curve, put_row},
+                                                   {"nothing", "Nothing", 1, 2, write_nothing, NULL},
+                                                   {"behind", "Another", 3, 4, write_nothing, NULL}};
 const uint32_t depth_plot_kind_count = 2;
 
 static struct stderr_capture said;
@@ -123,12 +130,42 @@ static void nothing_is_saved_without_a_picture(void **state)
     assert_non_null(strstr(said.text, "no/folder.png"));
 }
 
+static int rows_of(const char *kind, const char *csv, const char *json, const char *out, char text[16])
+{
+    memset(text, 0, 16);
+    FILE *const file = fmemopen(text, 16, "w");
+    assert_non_null(file);
+    const struct depth_lab lab = {.kind = kind, .csv = csv, .json = json, .out = out, .rows = file};
+    script[0] = '\0';
+    stderr_capture_begin(&said);
+    const int status = depth_plot(&lab);
+    stderr_capture_end(&said);
+    fclose(file);
+    return status;
+}
+
+static void rows_need_no_picture_and_take_one(void **state)
+{
+    char text[16];
+    (void)state;
+    assert_int_equal(rows_of("curve", "-", NULL, NULL, text), 0);
+    assert_string_equal(text, "row\n");
+    assert_string_equal(script, "");
+    assert_int_equal(rows_of("curve", NULL, "-", file_path("rows.svg"), text), 0);
+    assert_string_equal(text, "row\n");
+    assert_true(script[0] != '\0');
+    assert_int_equal(rows_of("nothing", "-", NULL, file_path("rows.svg"), text), PH_ERR_INVAL);
+    assert_non_null(strstr(said.text, "plot nothing has no --csv"));
+    assert_string_equal(script, "");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_name_finds_its_kind),
         cmocka_unit_test(the_files_name_chooses_the_terminal),
         cmocka_unit_test(what_is_wrong_is_told_before_gnuplot_runs),
+        cmocka_unit_test(rows_need_no_picture_and_take_one),
         cmocka_unit_test(nothing_is_saved_without_a_picture),
     };
     return cmocka_run_group_tests(tests, files_begin, files_end);

@@ -142,6 +142,7 @@ static void curves_of_documents_have_their_own_planes_or_those_asked_for(void **
     says("set xrange [-3:0]");
     assert_null(strstr(script, "$c1"));
     lab.near_set = lab.far_set = true;
+    lab.nears[0] = lab.near_z, lab.near_count = 1;
     assert_int_equal(write_kind("ndc"), 0);
     curve_is("$c0 << EOD\n", 1, 16);
     assert_null(strstr(script, "$c1"));
@@ -158,7 +159,8 @@ static void a_matrix_that_does_not_fit_is_told(void **state)
 {
     (void)state;
     lab.near_set = lab.far_set = true;
-    lab.near_z = FX_INT(30000), lab.far_z = FX_INT(30000) + 1;
+    lab.near_z = lab.nears[0] = FX_INT(30000), lab.far_z = FX_INT(30000) + 1;
+    lab.near_count = 1;
     assert_int_equal(write_kind("g"), PH_ERR_INVAL);
     assert_non_null(strstr(said.text, "this camera's matrix does not fit Q16.16"));
 }
@@ -291,9 +293,59 @@ static void what_cannot_be_measured_is_passed_on(void **state)
     assert_non_null(strstr(said.text, "plot: fixed16 cannot be measured here"));
 }
 
+static char *rows_of(const char *name)
+{
+    static char text[4096];
+    uint32_t i = 0;
+    while (strcmp(depth_plot_kinds[i].name, name) != 0) {
+        i++;
+    }
+    memset(text, 0, sizeof text);
+    lab.rows = fmemopen(text, sizeof text, "w");
+    assert_non_null(lab.rows);
+    assert_int_equal(depth_plot_kinds[i].rows(&lab), 0);
+    fclose(lab.rows);
+    return text;
+}
+
+/* HAW's two curves: z_ndc = (f + n) / (f - n) + 2 n f / (f - n) / z in fractions. With f = 9, n = 1, 3 all elements fit
+ * Q16.16. At z = -3 the first is 5/4 - 9/12 = 1/2, at -6 it is 5/4 - 9/24 = 7/8. From 0 to 1 a value is half of it
+ * and 1/2. */
+static void rows_are_the_curves_of_all_near_planes(void **state)
+{
+    (void)state;
+    lab.near_set = lab.far_set = true;
+    lab.near_count = 2;
+    lab.nears[0] = FX_ONE, lab.nears[1] = FX_INT(3), lab.far_z = FX_INT(9);
+    lab.at_count = 3;
+    lab.at[0] = FX_INT(3), lab.at[1] = FX_INT(6), lab.at[2] = FX_INT(9);
+    assert_string_equal(rows_of("ndc"), "near_m,far_m,z_m,z_ndc,z_0_to_1\n"
+                                        "1,9,-3,0.5,0.75\n1,9,-6,0.875,0.9375\n1,9,-9,1,1\n"
+                                        "3,9,-3,-1,0\n3,9,-6,0.5,0.75\n3,9,-9,1,1\n");
+    lab.near_set = lab.far_set = false; /* exercise 5: f = 3, n = 1 */
+    lab.at_count = 2;
+    lab.at[0] = FX_ONE, lab.at[1] = FX_ONE * 3 / 2;
+    assert_string_equal(rows_of("g"), "near_m,far_m,z_m,z_ndc,z_0_to_1\n1,3,-1,-1,0\n1,3,-1.5,0,0.5\n");
+}
+
+static void a_curve_is_drawn_for_each_near_plane(void **state)
+{
+    (void)state;
+    lab.near_set = lab.far_set = true;
+    lab.near_count = 3;
+    lab.nears[0] = FX_HALF, lab.nears[1] = FX_ONE, lab.nears[2] = FX_INT(2), lab.far_z = FX_INT(10);
+    assert_int_equal(write_kind("ndc"), 0);
+    says("title 'n = 0.5 m, f = 10 m: half before 0.95 m'");
+    says("title 'n = 1 m, f = 10 m: half before 1.82 m'");
+    says("title 'n = 2 m, f = 10 m: half before 3.33 m'");
+    assert_null(strstr(script, "$c3"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(rows_are_the_curves_of_all_near_planes, fresh),
+        cmocka_unit_test_setup(a_curve_is_drawn_for_each_near_plane, fresh),
         cmocka_unit_test_setup(curves_of_documents_have_their_own_planes_or_those_asked_for, fresh),
         cmocka_unit_test_setup(a_matrix_that_does_not_fit_is_told, fresh),
         cmocka_unit_test_setup(resolve_asks_at_distances_spread_over_the_logarithm, fresh),
