@@ -19,6 +19,7 @@
 #include "sim_options.h"
 #include "sim_player.h"
 #include "sim_window.h"
+#include "sim_wrong.h"
 
 #include <signal.h>
 #include <string.h>
@@ -69,50 +70,109 @@ static int through_convention(enum ph_convention convention, struct demo_camera 
     return status;
 }
 
+static struct sim_matrix in_doubles(const struct ph_mat4 *from)
+{
+    struct sim_matrix m;
+    for (int i = 0; i < 16; i++) {
+        m.m[i / 4][i % 4] = from->m[i / 4][i % 4] / (double)FX_ONE;
+    }
+    return m;
+}
+
+/* Makes *camera draw what the two matrices draw. */
+static int draw_anyway(const struct sim_options *o, struct demo_camera *camera)
+{
+    const enum ph_convention convention = (enum ph_convention)o->convention;
+    struct sim_matrix view = o->view_matrix, lens = o->lens_matrix;
+    struct ph_mat4 own;
+    if (!o->view_matrix_set) {
+        if (!o->camera.set) {
+            return complain_usage("--anyway: which view? give --camera or --view-matrix");
+        }
+        own = ph_matrix_view(&camera->view, convention);
+        view = in_doubles(&own);
+    }
+    if (!o->lens_matrix_set) {
+        if (ph_matrix_projection(&own, &camera->projection, convention) != 0) {
+            return complain_usage("--anyway: this lens has no matrix; choose another --projection");
+        }
+        lens = in_doubles(&own);
+    }
+    const int status = sim_wrong_camera(&view, &lens, convention, &camera->view, &camera->projection);
+    if (status == 1) {
+        complain_note("--anyway: nothing is visible: its w or its depth is nowhere in the view volume");
+        camera->projection.near_z = FX_MAX - FX_ONE;
+        camera->projection.far_z = FX_MAX;
+        camera->projection.kind = PH_PERSPECTIVE;
+    }
+    return status >= 0 ? 0 : complain_usage("--anyway: the camera that draws so does not fit fixed point");
+}
+
+/* Says what is wrong with a matrix of the options, and refuses it unless it is drawn --anyway. */
+static int tell_wrong(const struct sim_options *o, bool is_view)
+{
+    const enum ph_convention convention = (enum ph_convention)o->convention;
+    const char *const option = is_view ? "view-matrix" : "projection-matrix";
+    char why[SIM_WRONG_TEXT];
+    (is_view ? sim_wrong_view : sim_wrong_lens)(is_view ? &o->view_matrix : &o->lens_matrix, convention, why);
+    if (!o->anyway) {
+        return complain_usage("--%s: %s; --anyway draws it", option, why);
+    }
+    complain_note("--%s: %s", option, why);
+    return 0;
+}
+
+/* Gets the view of the options. *wrong: it is no view, and --anyway may draw it. */
+static void choose_view_of(const struct sim_options *o, struct ph_xform *view, bool *left_world, bool *wrong)
+{
+    *left_world = false;
+    *wrong = o->view_matrix_set &&
+             sim_matrix_view(&o->view_matrix, (enum ph_convention)o->convention, view, left_world) != 0;
+    if (o->focal < 0 && !*wrong) { /* behind the hole the image is upside down */
+        const struct ph_xform half_turn = ph_xform_rotate_z(0x80000000u);
+        *view = ph_xform_mul(&half_turn, view);
+    }
+}
+
+/* Says what is wrong with a lens that is no matrix. */
+static int refuse_lens(const struct sim_options *o)
+{
+    return o->near_z <= 0 || o->far_z <= o->near_z
+               ? complain_usage("--near, --far: near must be more than 0, and far more than near%s",
+                                o->near_z < 0 ? "; below 0 they are in --convention lmu" : "")
+               : complain_usage("--projection, --fov: no such view volume; left and right, bottom and top must differ, "
+                                "and near, far and the angle be less extreme");
+}
+
 /* Chooses the camera, and how its matrices are written. */
 static int choose_camera(const struct sim_options *o, const struct sim_player_setup *setup, struct demo_camera *camera,
                          struct sim_matrix_writing *writing)
 {
     const struct panel *panel = setup->board->panel;
+    const enum ph_convention convention = (enum ph_convention)o->convention;
     /* A demo's own near and far planes fit its own view only. */
     const bool view_set = o->camera.set || o->view_matrix_set;
     const bool lens_set = o->projection_set || o->lens_matrix_set || view_set;
-    *camera = (struct demo_camera){.view = o->camera.view, .view_set = view_set, .projection_set = lens_set};
-    bool left_world = false;
-    if (o->view_matrix_set &&
-        sim_matrix_view(&o->view_matrix, (enum ph_convention)o->convention, &camera->view, &left_world) != 0) {
-        return complain_usage("--view-matrix: its first three rows must be a camera's axes in the --convention, unit "
-                              "vectors at right angles, and its fourth 0,0,0,1");
-    }
-    writing->left_world = left_world;
-    if (o->focal < 0) { /* behind the hole the image is upside down */
-        const struct ph_xform half_turn = ph_xform_rotate_z(0x80000000u);
-        camera->view = ph_xform_mul(&half_turn, &camera->view);
-    }
+    bool wrong_view, wrong_lens;
     int status = 0;
+    *camera = (struct demo_camera){.view = o->camera.view, .view_set = view_set, .projection_set = lens_set};
+    choose_view_of(o, &camera->view, &writing->left_world, &wrong_view);
     if (lens_set) {
         status = sim_options_projection(o, panel_width(panel, setup->rotation), panel_height(panel, setup->rotation),
                                         &camera->projection);
+    }
+    wrong_lens = o->lens_matrix_set && (status != 0 || camera->projection.near_z <= 0);
+    if (wrong_view || wrong_lens) {
+        status = status != 0 && !wrong_lens ? refuse_lens(o) : o->anyway ? draw_anyway(o, camera) : 0;
+        status = status == 0 && wrong_view ? tell_wrong(o, true) : status;
+        return status == 0 && wrong_lens ? tell_wrong(o, false) : status;
     }
     const fx_t off_x = fx_abs_sat(camera->projection.shift_x), off_y = fx_abs_sat(camera->projection.shift_y);
     if (status == 0 && lens_set && (off_x > 2 * FX_ONE || off_y > 2 * FX_ONE)) {
         return complain_usage("--projection: the window lies more than its own size off the middle");
     }
-    if (status == 0) {
-        status = through_convention((enum ph_convention)o->convention, camera);
-    }
-    if (status != 0 && o->lens_matrix_set) {
-        return complain_usage("--projection-matrix: is not a lens of the --convention, which gives w its sign and the "
-                              "depth its range; see camera.h");
-    }
-    if (status != 0) {
-        const bool planes = o->near_z <= 0 || o->far_z <= o->near_z;
-        return planes ? complain_usage("--near, --far: near must be more than 0, and far more than near%s",
-                                       o->near_z < 0 ? "; below 0 they are in --convention lmu" : "")
-                      : complain_usage("--projection, --fov: no such view volume; left and right, bottom and top "
-                                       "must differ, and near, far and the angle be less extreme");
-    }
-    return 0;
+    status = status == 0 ? through_convention(convention, camera) : status;
+    return status == 0 ? 0 : refuse_lens(o);
 }
 
 /* The setup points into this, so that it lives as long as the run. */

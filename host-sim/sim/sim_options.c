@@ -204,6 +204,11 @@ static const struct option_row rows[] = {
      SIM_MATRIX_VALUES, .set = set_view_matrix},
     {"projection-matrix", "M", "the lens as a matrix, camera to clip coordinates, as the --convention writes it",
      SIM_MATRIX_VALUES, .set = set_lens_matrix},
+    {"anyway", NULL,
+     "draws a --view-matrix or --projection-matrix that is no camera, too, and says what is wrong with it; x and y "
+     "are\n"
+     "        the matrices' own, and what their depth puts outside of its range is not drawn",
+     NULL, .at = offsetof(struct sim_options, anyway)},
     {"fov", "DEG", "vertical field of view; 60 by default, 180 with a fisheye",
      "degrees, more than 0 and less than 180; with a fisheye 10 .. 240", .set = set_fov},
     {"focal", "F[,H]",
@@ -298,6 +303,9 @@ static int check_camera(const struct sim_options *o)
     }
     if (o->camera.set && o->view_matrix_set) {
         return complain_usage("--camera and --view-matrix exclude each other");
+    }
+    if (o->anyway && !o->view_matrix_set && !o->lens_matrix_set) {
+        return complain_usage("--anyway: of which matrix? give --view-matrix or --projection-matrix");
     }
     if (o->lens_matrix_set && o->projection_set) {
         return complain_usage("--projection-matrix holds all of the lens: leave --fov, --focal, --near, --far and "

@@ -41,6 +41,7 @@ struct sim_options {
     struct option_depth depth;
     uint8_t convention; /* enum ph_convention */
     bool crc, stats, json, overlay, antialias, matrix, show_window;
+    bool anyway; /* draws matrices that are no camera */
 
     struct option_camera camera;
     bool view_matrix_set, lens_matrix_set;

@@ -292,6 +292,17 @@ each_convention_is_typed_as_it_is_written() {
         same --demo cube "${small[@]}" --camera eye=5,0,0 -- --demo cube "${small[@]}" --convention d3d --view-matrix 0,0,1,0,0,1,0,0,-1,0,0,5,0,0,0,1
 }
 
+# A wrong matrix is refused with its mistake, and drawn --anyway: HAW's projection onto z = -2 has a lens's picture.
+a_wrong_matrix_is_explained_and_drawn() {
+    local camera=(--demo cube "${small[@]}" --camera eye=2,1,5)
+    refuses 2 'row 2, column 3 has the other sign: near goes to 4, not -1' "${camera[@]}" --crc --projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,5,0,0,-1,0 &&
+        refuses 2 'handedness: determinant -1' --demo cube --crc --view-matrix 1,0,0,0,0,1,0,0,0,0,-1,-5,0,0,0,1 &&
+        [ "$("$sim" "${camera[@]}" --crc --anyway --projection-matrix 2,0,0,0,0,2,0,0,0,0,2,0,0,0,-1,0 2>"$dir/stderr")" = \
+            "$("$sim" "${camera[@]}" --crc --projection frustum=-.05,.05,-.05,.05 --near .1 --far 1000)" ] && grep -q 'flattens: no depth' "$dir/stderr" &&
+        [ "$("$sim" "${camera[@]}" --crc --anyway --projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,5,0,0,-1,0 2>"$dir/stderr")" = \
+            "$("$sim" "${camera[@]}" --crc --near 100 --far 101)" ] && grep -q 'nothing is visible' "$dir/stderr"
+}
+
 # 16:9 at 60 degrees: cot 30 9/16 = 63850.32 / 65536.
 a_picture_of_16_to_9_has_its_own_width() { [ "$(matrices 7 --size 320x180 --fov 60)" = "0.974273681640625 0 0 0" ]; }
 
@@ -566,6 +577,7 @@ check camera_target_has_an_effect differ --demo torus "${small[@]}" --camera eye
 check camera_up_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,1 -- --demo torus "${small[@]}" --camera up=1,0,0,eye=0,0,1
 check camera_at_its_own_target_is_drawn "$sim" "${small[@]}" --camera eye=0,0,0,target=0,0,0,up=0,0,0 --crc
 check each_convention_is_typed_as_it_is_written each_convention_is_typed_as_it_is_written
+check a_wrong_matrix_is_explained_and_drawn a_wrong_matrix_is_explained_and_drawn
 check a_picture_of_16_to_9_has_its_own_width a_picture_of_16_to_9_has_its_own_width
 check all_cameras_of_a_demo_are_printed all_cameras_of_a_demo_are_printed
 check ways_to_state_a_view_agree ways_to_state_a_view_agree
@@ -696,6 +708,9 @@ exclude|--board x --size 8x8 --crc
 --projection-matrix|--projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,nan --crc
 --projection-matrix|--projection-matrix .5,.1,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,0 --crc
 --projection-matrix|--projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,0 --near 1 --crc
+which view? give --camera or --view-matrix|--anyway --projection-matrix 2,0,0,0,0,2,0,0,0,0,2,0,0,0,-1,0 --crc
+of which matrix|--anyway --crc
+does not fit fixed point|--anyway --camera eye=0,0,5 --projection-matrix 9000,0,0,0,0,2,0,0,0,0,2,0,0,0,-1,0 --crc
 --focal|--focal 0 --crc
 --focal|--focal 1,0 --crc
 --focal|--focal -1 --crc
