@@ -62,6 +62,32 @@ static bool set_focal(void *to, const char *value)
     return *value == '\0' && o->focal != 0 && o->focal != FX_MIN && o->image_height > 0;
 }
 
+static bool set_point(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    fx_t v[3];
+    o->point_set = option_text_fx_list(value, v, 3, &value) && *value == '\0';
+    o->point = o->point_set ? (struct fx_vec3){v[0], v[1], v[2]} : o->point;
+    return o->point_set;
+}
+
+static bool set_object(void *to, const char *value)
+{
+    static const char word[] = ",target=";
+    struct sim_options *o = to;
+    fx_t at[3], target[3];
+    o->object_set = option_text_fx_list(value, at, 3, &value);
+    if (!o->object_set) {
+        return false;
+    }
+    o->object = ph_xform_translate(at[0], at[1], at[2]);
+    if (strncmp(value, word, strlen(word)) == 0 && option_text_fx_list(value + strlen(word), target, 3, &value)) {
+        o->object = ph_object_look_at(o->object.t, (struct fx_vec3){target[0], target[1], target[2]},
+                                      (struct fx_vec3){0, FX_ONE, 0});
+    }
+    return *value == '\0';
+}
+
 static bool set_flatten(void *to, const char *value)
 {
     struct sim_options *o = to;
@@ -250,10 +276,20 @@ static const struct option_row rows[] = {
     {"matrix", NULL,
      "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
      NULL, .at = offsetof(struct sim_options, matrix)},
+    {"point", "X,Y,Z",
+     "prints a vertex at every stage with the camera of the first frame: object, world, view, clip, ndc, pixel; each\n"
+     "        number as an exact fraction, a decimal, Pinhole's code in steps of 1/65536, and its error in such "
+     "steps;\n"
+     "        and its code in each depth format",
+     "three numbers", .set = set_point},
+    {"object", "X,Y,Z[,target=X,Y,Z]",
+     "where the object of --point stands, and what its z axis points at, as an object's lookAt does; --matrix prints\n"
+     "        `object`",
+     "three numbers and, optionally, target= with three", .set = set_object},
     {"flatten", "kaist-4.7|kaist-4.11|eece=D|plane=X,Y,Z,D",
      "prints `flatten` with --matrix: a matrix that drops the depth, in parallel (KAIST 4.7), by w = z (4.11) or\n"
-     "        w = z / D (EECE 478), or that projects from the eye onto the plane with the normal X,Y,Z at the distance "
-     "-D",
+     "        w = z / D (EECE 478), or that projects from the eye onto the plane n.p + D = 0, with the normal X,Y,Z "
+     "at\n        the distance D, on the side that it points away from",
      "kaist-4.7, kaist-4.11, eece=D or plane=X,Y,Z,D with a normal and a D that are not 0", .set = set_flatten},
     {"stats", NULL,
      "prints the cost of each frame on stderr: vertices transformed; triangles in: given; culled: facing away,\n"
@@ -317,6 +353,12 @@ static int check_camera(const struct sim_options *o)
     if (o->focal < 0 && !o->camera.set && !o->view_matrix_set) {
         return complain_usage("--focal: below 0 it turns the view, so that it needs --camera or --view-matrix");
     }
+    if (o->object_set && !o->matrix && !o->point_set) {
+        return complain_usage("--object: of what? give --point or --matrix");
+    }
+    if (o->projection == OPTION_FISHEYE && o->point_set) {
+        return complain_usage("--point: a fisheye has no matrix; choose another --projection");
+    }
     if (o->flatten != NULL && !o->matrix) {
         return complain_usage("--flatten: is printed with --matrix; give that, too");
     }
@@ -350,8 +392,9 @@ static int check_together(const struct sim_options *o)
         return complain_usage("--board and --size exclude each other");
     }
     if (o->action == OPTION_RUN && o->out == NULL && o->check == NULL && !o->crc && !o->stats && !o->matrix &&
-        !o->show_window) {
-        return complain_usage("nothing to do: give --out, --check, --crc, --stats, --matrix or --window (see --help)");
+        !o->point_set && !o->show_window) {
+        return complain_usage(
+            "nothing to do: give --out, --check, --crc, --stats, --matrix, --point or --window (see --help)");
     }
     if (o->json && o->action == OPTION_RUN && !o->crc && !o->stats) {
         return complain_usage("--json: of what? it is a form of --list, --crc and --stats");
@@ -363,6 +406,7 @@ int sim_options_read(struct sim_options *o, int argc, char *const argv[])
 {
     *o = (struct sim_options){
         .image_height = 2 * FX_ONE,
+        .object = ph_xform_identity,
         .near_z = FX_HALF,
         .far_z = FX_INT(100),
         .goal = {.triangles = UINT32_MAX, .texture_log2 = ASSET_TEXTURE_LOG2, .flash_bytes = UINT32_MAX}};

@@ -303,6 +303,16 @@ a_wrong_matrix_is_explained_and_drawn() {
             "$("$sim" "${camera[@]}" --crc --near 100 --far 101)" ] && grep -q 'nothing is visible' "$dir/stderr"
 }
 
+# HAW's exercise 6 from (0,0,5): (1,2,-1) lies 6 before the eye: z_ndc = 3/2 - 5/6. An object at (1,0,-1) whose z points at +x.
+a_point_is_told_at_every_stage() {
+    local camera=(--camera eye=0,0,5 --fov 90 --near 2 --far 10 --size 200x100)
+    "$sim" "${camera[@]}" --point 1,2,-1 >"$dir/point" && grep -q '^ndc.z 2/3 0.666666666667 43691 +0.333$' "$dir/point" &&
+        grep -q '^clip.x 1/2 ' "$dir/point" && grep -q '^pixel.x 325/3 ' "$dir/point" && [ "$(grep -c '^depth\.' "$dir/point")" = 5 ] &&
+        "$sim" "${camera[@]}" --point 0,2,0 --object 1,0,-1 | grep -qx 'ndc.z 2/3 0.666666666667 43691 +0.333' &&
+        "$sim" "${camera[@]}" --point 0,0,2 --object 1,0,-1,target=5,0,-1 | grep -q '^world.x 3 ' &&
+        [ "$(matrices 1,5 "${camera[@]}" --object 1,0,-1,target=5,0,-1 | tr '\n' ' ')" = "object 0 0 1 1 0 1 0 0 -1 0 0 -1 0 0 0 1 " ]
+}
+
 # 16:9 at 60 degrees: cot 30 9/16 = 63850.32 / 65536.
 a_picture_of_16_to_9_has_its_own_width() { [ "$(matrices 7 --size 320x180 --fov 60)" = "0.974273681640625 0 0 0" ]; }
 
@@ -578,6 +588,7 @@ check camera_up_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0
 check camera_at_its_own_target_is_drawn "$sim" "${small[@]}" --camera eye=0,0,0,target=0,0,0,up=0,0,0 --crc
 check each_convention_is_typed_as_it_is_written each_convention_is_typed_as_it_is_written
 check a_wrong_matrix_is_explained_and_drawn a_wrong_matrix_is_explained_and_drawn
+check a_point_is_told_at_every_stage a_point_is_told_at_every_stage
 check a_picture_of_16_to_9_has_its_own_width a_picture_of_16_to_9_has_its_own_width
 check all_cameras_of_a_demo_are_printed all_cameras_of_a_demo_are_printed
 check ways_to_state_a_view_agree ways_to_state_a_view_agree
@@ -711,6 +722,13 @@ exclude|--board x --size 8x8 --crc
 which view? give --camera or --view-matrix|--anyway --projection-matrix 2,0,0,0,0,2,0,0,0,0,2,0,0,0,-1,0 --crc
 of which matrix|--anyway --crc
 does not fit fixed point|--anyway --camera eye=0,0,5 --projection-matrix 9000,0,0,0,0,2,0,0,0,0,2,0,0,0,-1,0 --crc
+--point|--point 1,2
+--point|--point 1,2,3,
+a fisheye has no matrix|--projection fisheye --point 1,2,3
+beside the eye|--camera eye=0,0,5 --point 1,0,5
+--object: of what|--object 1,2,3 --crc
+--object|--object 1,2 --matrix
+--object|--object 1,2,3,up=0,1,0 --matrix
 --focal|--focal 0 --crc
 --focal|--focal 1,0 --crc
 --focal|--focal -1 --crc

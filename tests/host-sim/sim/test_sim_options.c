@@ -129,7 +129,7 @@ static void expect_wrong(const struct wrong_line *lines, size_t n)
 static void options_that_exclude_each_other_are_told(void **state)
 {
     static const struct wrong_line lines[] = {
-        {"", "nothing to do: give --out, --check, --crc, --stats, --matrix or --window"},
+        {"", "nothing to do: give --out, --check, --crc, --stats, --matrix, --point or --window"},
         {"--demo a --model b --crc", "--demo and --model exclude each other"},
         {"--clip a --crc", "--clip: of which model?"},
         {"--max-triangles 9 --crc", "--max-triangles: of which model?"},

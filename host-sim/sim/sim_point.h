@@ -1,0 +1,23 @@
+/*
+ * sim_point: a vertex at every stage of the pipeline, in the convention's way to write it. A line a number:
+ *
+ *   view.x 3/5 0.6 39322 +0.4
+ *
+ * is the stage and coordinate, the exact value as a fraction and as a decimal, Pinhole's Q16.16 code, and how far this
+ * is off in steps of 1/65536. Stages: object, world, view, clip (x, y, z, w), ndc, pixel. The exact value is worked out
+ * in whole numbers from the fields of the camera as Pinhole holds them (geom.h); the codes come out of its own matrices
+ * (camera.h), one after the other. Then a line for each depth format: `depth.fixed16 CODE SHARE`, the code in the depth
+ * buffer and its share of the largest one.
+ */
+#ifndef SIM_POINT_H
+#define SIM_POINT_H
+
+#include "sim_matrix.h"
+
+/* Prints the lines. object: where the object stands in the world. 0; PH_ERR_INVAL for a fisheye, which has no matrix;
+ * or PH_ERR_RANGE if a number does not fit. After an error nothing was printed. */
+int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view,
+                    const struct ph_projection *projection, uint16_t width, uint16_t height,
+                    struct sim_matrix_writing writing);
+
+#endif
