@@ -313,6 +313,22 @@ a_point_is_told_at_every_stage() {
         [ "$(matrices 1,5 "${camera[@]}" --object 1,0,-1,target=5,0,-1 | tr '\n' ' ')" = "object 0 0 1 1 0 1 0 0 -1 0 0 -1 0 0 0 1 " ]
 }
 
+# Each command for teachers (host-sim/README.md) draws or prints something; the one that shows a mistake is refused.
+the_teachers_commands_work() {
+    local words status
+    sed -n '/^## For teachers/,/^## pinhole-asset/s/`\(pinhole-sim [^`]*\)`/\n\1\n/gp' host-sim/README.md | grep '^pinhole-sim ' >"$dir/commands"
+    [ "$(wc -l <"$dir/commands")" -ge 25 ] || return 1
+    while read -ra words; do
+        status=0
+        "$sim" "${words[@]:1}" --scale 1 --crc >"$dir/stdout" 2>"$dir/stderr" || status=$?
+        case "$status ${words[*]}" in
+        "2 pinhole-sim --crc --projection-matrix"*) grep -q 'row 2, column 3 has the other sign' "$dir/stderr" ;;
+        0*) [ -s "$dir/stdout" ] ;;
+        *) false ;;
+        esac || { echo "${words[*]}" && cat "$dir/stderr" && return 1; }
+    done < <(sed 's/ --window//' "$dir/commands")
+}
+
 # 16:9 at 60 degrees: cot 30 9/16 = 63850.32 / 65536.
 a_picture_of_16_to_9_has_its_own_width() { [ "$(matrices 7 --size 320x180 --fov 60)" = "0.974273681640625 0 0 0" ]; }
 
@@ -589,6 +605,7 @@ check camera_at_its_own_target_is_drawn "$sim" "${small[@]}" --camera eye=0,0,0,
 check each_convention_is_typed_as_it_is_written each_convention_is_typed_as_it_is_written
 check a_wrong_matrix_is_explained_and_drawn a_wrong_matrix_is_explained_and_drawn
 check a_point_is_told_at_every_stage a_point_is_told_at_every_stage
+check the_teachers_commands_work the_teachers_commands_work
 check a_picture_of_16_to_9_has_its_own_width a_picture_of_16_to_9_has_its_own_width
 check all_cameras_of_a_demo_are_printed all_cameras_of_a_demo_are_printed
 check ways_to_state_a_view_agree ways_to_state_a_view_agree
