@@ -69,11 +69,13 @@ extern const struct ph_filter ph_filter_bilinear, ph_filter_mipmap;
  * tile of up to 64 x 16 pixels of a larger one. */
 #define PH_FILTER_MIPMAP (&ph_filter_mipmap)
 
+#define PH_TEXTURE_LOG2_MAX 10
+
 /* A texture whose sides are powers of two: RGB565 in wire order, rows from the top. v = 0 is at the top row. Each level
  * has half the width and half the height of the one before, at least 1, and lies behind it in memory. */
 struct ph_texture {
     const uint16_t *texels;
-    uint8_t log2_width, log2_height; /* 0 .. 10 */
+    uint8_t log2_width, log2_height; /* 0 .. PH_TEXTURE_LOG2_MAX */
     uint8_t wrap;                    /* enum ph_wrap */
     uint8_t levels;                  /* behind the texels, for PH_FILTER_MIPMAP: 0 .. 10 */
     const struct ph_filter *filter;  /* PH_FILTER_... */
@@ -441,6 +443,28 @@ struct ph_config {
     const struct ph_antialiasing *antialiasing; /* PH_ANTIALIAS_2X2: a program links it if it names it */
 };
 
+#ifndef PH_PROFILE_SMALL
+/*
+ * Memory of a renderer as a constant, in words of 64 bits, for an array that ph_config_memory() shares out:
+ *   static uint64_t memory[PH_MEMORY(320, 16, 64, 128)];
+ * 320 pixels wide, bands of 16 lines, vertex_max 64, triangle_max 128; depth of 16 bits and pixels of RGB565, and bins
+ * for a picture of any height. Depth of 24 bits takes width * lines / 4 words more, PH_PIXELS_RGB888 half as many.
+ */
+#define PH_MEMORY(width, lines, vertices, triangles)                                                                   \
+    (((size_t)(vertices)*PH_VERTEX_BYTES_32 + (size_t)(triangles)*PH_TRIANGLE_BYTES_32 +                               \
+      (1023 + (size_t)(lines)) / (size_t)(lines) * sizeof(uint32_t) +                                                  \
+      (size_t)(width) * (size_t)(lines)*2 * sizeof(uint16_t) + sizeof(uint64_t) - 1) /                                 \
+     sizeof(uint64_t))
+
+/*
+ * Gives a config its vertices, triangles, bins, depth and pixels from one piece of memory, which must stay as long as
+ * the renderer is used. width, height, band_height, depth_format, pixel_order, vertex_max and triangle_max say how
+ * much. Errors: PH_ERR_INVAL: config or memory is NULL, band_height is 0, or antialiasing is asked for. PH_ERR_FORMAT:
+ * no depth format is named. PH_ERR_NOMEM: it takes more than `bytes`. The config stays as it was.
+ */
+int ph_config_memory(struct ph_config *config, uint64_t *memory, size_t bytes);
+#endif
+
 /* Fog: from `start` on all colours turn towards the fog's, and from `end` on they have become it. Distances are along
  * the view (fisheye: from the eye), Q16.16, start < end. The background is not fogged: give it the same colour. */
 struct ph_fog {
@@ -493,8 +517,8 @@ struct ph_list {
     uint32_t first, last, lens;      /* places of the first and the last draw, and of the camera in use */
     uint32_t copies[PH_LIST_COPIES]; /* places of the last copies of materials, the newest first, then PH_NONE */
     uint32_t band_scale;             /* 2^20 / band_height, rounded up */
-    uint16_t is_closed; /* 0: open; 1: full; 2: closed, because no frame has begun, or its bands are made */
-    uint16_t band;      /* the band that is drawn next */
+    uint16_t stage; /* 0: closed, because no frame has begun, or its bands are made; 1: open; 2: full */
+    uint16_t band;  /* the band that is drawn next */
     uint64_t own[PH_OWN_BYTES / 8];
 };
 
@@ -609,7 +633,8 @@ int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
  * Errors: PH_ERR_INVAL: to_world is NULL, or so is something that a count of the mesh says is there; or the mesh has
  *         colours, and the config no PH_COLOURS. Built with
  *         -DPH_CHECKED also: a triangle or an edge names a vertex, or a part triangles or a material, that are not
- *         there, or a corner lies outside of the bounds. Nothing is drawn.
+ *         there, a texture has no texels or a side beyond 2^PH_TEXTURE_LOG2_MAX, or a corner lies outside of the
+ *         bounds. Nothing is drawn. ph_check_mesh() of diagnose.h says which of these it is.
  *         PH_ERR_NOMEM: the mesh has more vertices than the vertex budget; it is left out and counted. (If other meshes
  *         have taken the room, it is counted, too, but that is no error. A mesh whose bounds are off the picture needs
  *         none.) PH_ERR_STATE: no frame has begun, or its bands are made; nothing is drawn.
@@ -632,10 +657,9 @@ int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, 
  * lies between its ends, the left (upper) end included, the other not: the pixel that it runs through there. Where it
  * runs along the border of two pixels, it takes the upper (left) one. So lines that share an end draw no column twice.
  *
- * Where ph_draw_mesh returns PH_ERR_STATE, nothing is drawn or counted. Without a material the frame ends: the next
- * function that returns a status tells it by PH_ERR_STATE.
+ * Errors: PH_ERR_STATE: no frame has begun, or its bands are made. PH_ERR_INVAL: material is NULL. Nothing is drawn.
  */
-void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material);
+int ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material);
 
 /*
  * Draws points in the material's colour, or in their own. Only colour, blend and depth_bias of the material count.
@@ -681,11 +705,18 @@ typedef int ph_flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint
  * Shows the frame: sorts, draws every band and gives it to flush. This is ph_frame_bands and ph_draw_band in one call.
  * With config.shown only the smallest rectangle that holds a band's changes is given, and nothing of a band that is as
  * it was; the first frame, and the one after a frame that was stopped, are given whole.
- * Text and pictures of overlay.h are drawn into a band's pixels: they need a loop with ph_draw_band in its place.
  * Errors: PH_ERR_INVAL: flush is NULL, or config.pixels or config.pixel_order is wrong. PH_ERR_STATE: no frame has
  * begun, or it was shown already, perhaps in part: flush is not called. Else what flush returned.
  */
 int ph_show(struct ph_renderer *r, ph_flush *flush, void *context);
+
+/* Draws over a band before it is handed out: text and pictures of overlay.h, or anything else. It is called for each
+ * band from the top, with the same context as the flush. */
+struct ph_overlay_band;
+typedef void ph_paint(void *context, const struct ph_overlay_band *band);
+
+/* Shows the frame as ph_show() does, with what paint draws over it; NULL: nothing. Not in the small profile. */
+int ph_show_painted(struct ph_renderer *r, ph_paint *paint, ph_flush *flush, void *context);
 
 /* ---- colours ---------------------------------------------------------------------------------------------- */
 

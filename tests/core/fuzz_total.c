@@ -12,6 +12,7 @@
  */
 #include "blur.h"
 #include "camera.h"
+#include "diagnose.h"
 #include "fx_math.h"
 #include "motion.h"
 #include "overlay.h"
@@ -598,6 +599,11 @@ static void effects(const int32_t *a)
     const int cast = ph_draw_shadow(&r, &mesh, &ph_xform_identity, vec(a + 3), &plane, &material);
     check(cast == PH_OK || cast == PH_ERR_NOMEM, "ph_draw_shadow");
     check(ph_draw_mesh(&r, &mesh, &ph_xform_identity) == PH_OK, "ph_draw_mesh");
+    const struct ph_material one_sided = {.shading = PH_SHADE_UNLIT};
+    struct ph_mesh other = mesh;
+    other.materials = &one_sided;
+    const struct ph_finding found = ph_check_mesh(a[12] % 2 == 0 ? &mesh : &other);
+    check(found.number == 0 && (found.what == NULL || found.what[0] == 'a'), "ph_check_mesh");
     const uint32_t bands = ph_frame_bands(&r);
     const int status = ph_blur_begin(&blur, &r, scratch, sizeof scratch, &focus);
     const bool in_range = focus.distance > 0 && focus.strength >= 0 && focus.strength <= FX_INT(64) &&
@@ -606,6 +612,7 @@ static void effects(const int32_t *a)
     for (uint32_t i = 0; i < bands && status == PH_OK; i++) {
         check(ph_blur_band(&blur, &r, i, pixels) == LINES, "ph_blur_band");
     }
+    check(status != PH_OK || (ph_why_empty(&r) == NULL) == (r.stats.fragments > 0), "ph_why_empty");
 }
 
 /* ---- rounds ------------------------------------------------------------------------------------------------------ */

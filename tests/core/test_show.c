@@ -5,6 +5,7 @@
 #include <cmocka.h>
 
 #include "demo_stage.h"
+#include "overlay.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -142,6 +143,31 @@ static void after_a_failure_the_frame_is_sent_whole(void **state)
     pair_close(p);
 }
 
+static void paint(void *context, const struct ph_overlay_band *band)
+{
+    static const struct ph_overlay_style style = {.colour = 0xffff, .scale = 2};
+    assert_int_equal(((const struct glass *)context)->order, PH_PIXELS_WIRE); /* the context is the flush's */
+    ph_overlay_text(band, 20, 9, "OVER BANDS", &style);
+}
+
+/* Text over the border of two bands; what changed is found with it. */
+static void what_is_painted_lies_over_the_picture(void **state)
+{
+    (void)state;
+    for (int changes = 0; changes < 2; changes++) {
+        struct pair *p = pair_open("cube", PH_PIXELS_WIRE, changes != 0);
+        for (uint32_t frame = 4; frame < 6; frame++) {
+            assert_int_equal(p->shown.demo->frame(&p->shown.context, &p->shown.rig.r, frame), PH_OK);
+            assert_int_equal(ph_show_painted(&p->shown.rig.r, paint, flush, &p->glass), PH_OK);
+            demo_stage_frame(&p->by_bands, frame);
+            const struct ph_overlay_band whole = {p->by_bands.rig.pixels, W, 0, H};
+            paint(&p->glass, &whole);
+            assert_glass_is(p);
+        }
+        pair_close(p);
+    }
+}
+
 static void what_cannot_be_is_refused(void **state)
 {
     (void)state;
@@ -164,6 +190,7 @@ int main(void)
         cmocka_unit_test(every_order_shows_what_the_bands_make),
         cmocka_unit_test(a_frame_as_before_sends_nothing),
         cmocka_unit_test(after_a_failure_the_frame_is_sent_whole),
+        cmocka_unit_test(what_is_painted_lies_over_the_picture),
         cmocka_unit_test(what_cannot_be_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

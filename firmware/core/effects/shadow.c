@@ -233,7 +233,7 @@ static int32_t within_one(int32_t q30)
 int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world,
                    struct fx_vec3 light, const struct ph_plane_equation *plane, const struct ph_material *material)
 {
-    if (!ph_check_mesh(mesh) || to_world == NULL || plane == NULL || material == NULL) {
+    if (!ph_mesh_is_whole(mesh) || to_world == NULL || plane == NULL || material == NULL) {
         return PH_ERR_INVAL;
     }
     const struct fx_vec3 normal = plane->normal_q30;

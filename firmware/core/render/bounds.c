@@ -129,7 +129,7 @@ static void count_part(struct ph_renderer *r, const struct ph_mesh *mesh, const 
 
 static bool cull_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
-    if (r->list.is_closed == PH_LIST_CLOSED || !misses(r, mesh->bounds, to_world)) {
+    if (r->list.stage == PH_LIST_CLOSED || !misses(r, mesh->bounds, to_world)) {
         return false;
     }
     r->stats.meshes_culled++;
@@ -192,7 +192,7 @@ int ph_mesh_bounds(struct ph_mesh *mesh, struct ph_sphere *bounds)
     }
     struct ph_mesh unbounded = *mesh;
     unbounded.bounds = NULL;
-    if (!ph_check_mesh(&unbounded)) {
+    if (!ph_mesh_is_whole(&unbounded)) {
         return PH_ERR_INVAL;
     }
     const struct ph_sphere none = {.culling = PH_CULL_SPHERES};

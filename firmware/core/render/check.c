@@ -14,6 +14,12 @@ static bool has_stray_index(const uint16_t *index, uint64_t n, uint32_t vertex_c
     return false;
 }
 
+static bool is_stray_texture(const struct ph_texture *texture)
+{
+    return texture != NULL && (texture->texels == NULL || texture->log2_width > PH_TEXTURE_LOG2_MAX ||
+                               texture->log2_height > PH_TEXTURE_LOG2_MAX);
+}
+
 static bool has_stray_part(const struct ph_mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->part_count; i++) {
@@ -21,7 +27,12 @@ static bool has_stray_part(const struct ph_mesh *mesh)
         if (mesh->material_count != 0 && part->material >= mesh->material_count) {
             return true;
         }
-        if (!ph_is_wire(&mesh->materials[part->material]) &&
+        const struct ph_material *const material = &mesh->materials[part->material];
+        if ((ph_takes_texture(material) && is_stray_texture(material->texture)) ||
+            (material->blend != NULL && is_stray_texture(material->blend->alphas))) {
+            return true;
+        }
+        if (!ph_is_wire(material) &&
             (part->first > mesh->triangle_count || part->count > mesh->triangle_count - part->first)) {
             return true;
         }
@@ -42,11 +53,10 @@ static bool has_stray_corner(const struct ph_mesh *mesh, const uint16_t *index, 
     return false;
 }
 
-/* Whether a triangle or an edge leaves the bounds of the mesh or of its part. */
-static bool has_stray_bounds(const struct ph_mesh *mesh)
+bool ph_bounds_hold(const struct ph_mesh *mesh)
 {
     if (mesh->bounds == NULL) {
-        return false;
+        return true;
     }
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const struct ph_part *const part = &mesh->parts[i];
@@ -59,13 +69,13 @@ static bool has_stray_bounds(const struct ph_mesh *mesh)
             wire ? (const uint16_t *)mesh->edges : (const uint16_t *)&mesh->triangles[part->first];
         if (has_stray_corner(mesh, index, n, mesh->bounds) ||
             (mesh->part_count > 1 && has_stray_corner(mesh, index, n, &mesh->bounds[1 + i]))) {
-            return true;
+            return false;
         }
     }
-    return false;
+    return true;
 }
 
-bool ph_check_mesh(const struct ph_mesh *mesh)
+bool ph_mesh_is_whole(const struct ph_mesh *mesh)
 {
     if (mesh == NULL || (mesh->vertex_count > 0 && mesh->positions == NULL) ||
         (mesh->triangle_count > 0 && mesh->triangles == NULL) || (mesh->edge_count > 0 && mesh->edges == NULL) ||
@@ -77,5 +87,5 @@ bool ph_check_mesh(const struct ph_mesh *mesh)
             !has_stray_index((const uint16_t *)mesh->triangles, 3 * (uint64_t)mesh->triangle_count,
                              mesh->vertex_count) &&
             !has_stray_index((const uint16_t *)mesh->edges, 2 * (uint64_t)mesh->edge_count, mesh->vertex_count) &&
-            !has_stray_bounds(mesh));
+            ph_bounds_hold(mesh));
 }

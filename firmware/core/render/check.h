@@ -13,7 +13,10 @@
 #define PH_CHECKED 0
 #endif
 
+/* Whether all corners lie within the bounds of their mesh and part; true without bounds. */
+bool ph_bounds_hold(const struct ph_mesh *mesh);
+
 /* Whether a mesh has all that its numbers say. */
-bool ph_check_mesh(const struct ph_mesh *mesh);
+bool ph_mesh_is_whole(const struct ph_mesh *mesh);
 
 #endif

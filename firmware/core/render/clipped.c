@@ -60,14 +60,13 @@ void ph_draw_clipped_line(struct ph_renderer *r, const struct ph_material *mater
 }
 
 PH_TIER(few)
-void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material)
+int ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material)
 {
-    if (r->list.is_closed == PH_LIST_CLOSED) {
-        return;
-    }
     if (material == NULL) {
-        ph_list_close(r); /* the next function that returns a status says PH_ERR_STATE */
-        return;
+        return PH_ERR_INVAL;
+    }
+    if (r->list.stage == PH_LIST_CLOSED) {
+        return PH_ERR_STATE;
     }
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
     const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
@@ -75,11 +74,12 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
     r->lines = &ph_lines;
     if (material->blend != NULL && !ph_list_blend(r, material)) {
         r->stats.triangles_dropped++;
-        return;
+        return PH_OK;
     }
     ph_draw_clipped_line(r, material, ends);
     if (material->blend != NULL) {
         material->blend->draw->put_after(r, since, before);
     }
     r->stats.triangles_drawn = ph_ref_count(r);
+    return PH_OK;
 }

@@ -80,7 +80,7 @@ static const struct ph_fogging fogging = {.fog_band = fog_band, .fog_rows = fog_
 
 PH_TIER(seldom) int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog)
 {
-    if (r->list.is_closed == PH_LIST_CLOSED) {
+    if (r->list.stage == PH_LIST_CLOSED) {
         return PH_ERR_STATE;
     }
     if (fog == NULL || fog->start >= fog->end) {

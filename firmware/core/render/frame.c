@@ -101,7 +101,7 @@ static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const 
 
 int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection)
 {
-    if (r->list.is_closed == PH_LIST_CLOSED) {
+    if (r->list.stage == PH_LIST_CLOSED) {
         return PH_ERR_STATE;
     }
     if (view == NULL || projection == NULL) {
@@ -150,7 +150,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
 
 uint32_t ph_frame_bands(struct ph_renderer *r)
 {
-    if (r->list.is_closed == PH_LIST_CLOSED || r->band_count == 0) {
+    if (r->list.stage == PH_LIST_CLOSED) {
         return 0;
     }
     ph_feed_sort(r);

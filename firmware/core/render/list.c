@@ -46,7 +46,7 @@ PH_TIER(mesh) static size_t room_of(const struct ph_renderer *r, int piece)
 PH_TIER(mesh) static void set_end(struct ph_renderer *r)
 {
     struct ph_list *const list = &r->list;
-    if (list->is_closed != PH_LIST_OPEN) {
+    if (list->stage != PH_LIST_OPEN) {
         list->end = list->to;
         return;
     }
@@ -58,14 +58,14 @@ PH_TIER(mesh) static void set_end(struct ph_renderer *r)
 PH_TIER(mesh) void ph_list_again(struct ph_renderer *r, const struct ph_draw *draw)
 {
     if (!ph_list_draw(r, draw)) {
-        r->list.is_closed = PH_LIST_FULL;
+        r->list.stage = PH_LIST_FULL;
         set_end(r);
     }
 }
 
 void ph_list_close(struct ph_renderer *r)
 {
-    r->list.is_closed = PH_LIST_CLOSED;
+    r->list.stage = PH_LIST_CLOSED;
     r->list.band = PH_NO_BAND;
     for (int piece = 0; piece < 3; piece++) {
         r->list.used[piece] = NO_ROOM;
@@ -91,7 +91,7 @@ PH_TIER(few) void ph_list_begin(struct ph_renderer *r)
     list->used[OWN] = list->used[VERTICES] = list->used[TRIANGLES] = 0;
     list->first = list->last = list->lens = PH_NONE;
     forget_copies(list, PH_NONE);
-    list->is_closed = PH_LIST_OPEN;
+    list->stage = PH_LIST_OPEN;
     r->rows = 0;
     r->after = NULL;
     r->points = NULL;
@@ -129,7 +129,7 @@ PH_TIER(mesh) uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
 
 PH_TIER(seldom) int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool lines)
 {
-    if (r->list.is_closed == PH_LIST_CLOSED) {
+    if (r->list.stage == PH_LIST_CLOSED) {
         return PH_ERR_STATE;
     }
     r->stats.vertices_dropped += mesh->vertex_count;

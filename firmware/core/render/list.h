@@ -99,8 +99,8 @@ static inline uint32_t ph_row_bytes(const struct ph_renderer *r)
     return ph_row_pixels(r) * (4 + (uint32_t)ph_depth_bytes(r->config.depth_format));
 }
 
-/* Values of struct ph_list.is_closed. */
-enum { PH_LIST_OPEN, PH_LIST_FULL, PH_LIST_CLOSED };
+/* Values of struct ph_list.stage. A renderer of zeros is closed. */
+enum { PH_LIST_CLOSED, PH_LIST_OPEN, PH_LIST_FULL };
 
 #define PH_NO_BAND UINT16_MAX /* struct ph_list.band: no band may be drawn */
 

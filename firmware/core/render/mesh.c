@@ -135,7 +135,7 @@ static void draw_part(struct ph_part_context *c, const struct ph_part *part, con
 
 PH_TIER(mesh) int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
-    if (!ph_check_mesh(mesh) || to_world == NULL || (mesh->colours != NULL && r->config.colouring == NULL)) {
+    if (!ph_mesh_is_whole(mesh) || to_world == NULL || (mesh->colours != NULL && r->config.colouring == NULL)) {
         return PH_ERR_INVAL;
     }
     const struct ph_culling *const culling = mesh->bounds != NULL ? mesh->bounds->culling : NULL;

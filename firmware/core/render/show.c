@@ -1,6 +1,7 @@
 /* ph_show: a frame through a function of the caller's. See render.h. */
 #include "colour.h"
 #include "list.h"
+#include "overlay.h"
 
 PH_TIER(mesh) size_t ph_pixel_bytes(unsigned order)
 {
@@ -61,11 +62,11 @@ PH_TIER(mesh) static void put_in_order(void *pixels, uint32_t n, unsigned order)
     }
 }
 
-PH_TIER(mesh) int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
+PH_TIER(mesh) int ph_show_painted(struct ph_renderer *r, ph_paint *paint, ph_flush *flush, void *context)
 {
     const struct ph_config *const config = &r->config;
     uint16_t *const pixels = config->pixels;
-    if (r->list.is_closed == PH_LIST_CLOSED) {
+    if (r->list.stage == PH_LIST_CLOSED) {
         return PH_ERR_STATE;
     }
     if (flush == NULL || pixels == NULL || (uintptr_t)pixels % sizeof(uint16_t) != 0 ||
@@ -74,12 +75,16 @@ PH_TIER(mesh) int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
     }
     const uint32_t width = (uint32_t)config->width >> r->samples_log2, bands = ph_frame_bands(r);
     const bool partial = config->shown != NULL && r->is_shown;
-    int status = bands > 0 ? PH_OK : PH_ERR_STATE;
+    int status = PH_OK;
     for (uint32_t band = 0, y = 0, lines; band < bands && status == PH_OK; band++, y += lines) {
         lines = ph_draw_band(r, band, pixels);
         if (lines == 0) {
             status = PH_ERR_STATE;
             break;
+        }
+        if (paint != NULL) {
+            const struct ph_overlay_band over = {pixels, (uint16_t)width, (int32_t)y, (int32_t)lines};
+            paint(context, &over); /* calls paint */
         }
         struct changed c = {0, 0, width, lines};
         if (config->shown != NULL) {
@@ -94,4 +99,9 @@ PH_TIER(mesh) int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
     }
     r->is_shown = status == PH_OK;
     return status;
+}
+
+PH_TIER(mesh) int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
+{
+    return ph_show_painted(r, NULL, flush, context);
 }

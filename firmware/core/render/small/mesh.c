@@ -80,7 +80,7 @@ static PH_NOINLINE void set_matrix(const struct ph_renderer *r, const struct ph_
 
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
-    if (!ph_check_mesh(mesh) || to_world == NULL || !is_drawn(mesh)) {
+    if (!ph_mesh_is_whole(mesh) || to_world == NULL || !is_drawn(mesh)) {
         return PH_ERR_INVAL;
     }
     if (r->state != PH_SMALL_OPEN) {
