@@ -3,6 +3,7 @@
 #   make install PREFIX=/usr/local          programs, man pages, completion; the library with headers, pkg-config, CMake
 #   make install-dev                        the library alone, and its sources for CMake projects of another CPU
 #   make dist                               build/dist/: a tarball of git's HEAD, and the library for Arduino and ESP-IDF
+#   make examples                           firmware/package/examples: the pictures, their README and CRCs
 #   make deb                                build/deb/: Debian packages, through debian/
 PREFIX ?= /usr/local
 LIBDIR ?= lib
@@ -21,7 +22,7 @@ CORE_ROOMS := $(patsubst firmware/core/%/,%,$(filter-out %/kernels/,$(wildcard f
 FILL = sed -e 's|@PREFIX@|$(PREFIX)|g; s|@LIBDIR@|$(LIBDIR)|g; s|@VERSION@|$(PINHOLE_VERSION)|g'
 INSTALL = install -m 644
 
-.PHONY: install install-programs install-dev uninstall dist deb
+.PHONY: install install-programs install-dev uninstall dist deb examples
 
 install: install-programs install-dev ## programs, man pages, library and headers, below PREFIX=/usr/local; pkg-config and CMake find it
 
@@ -56,3 +57,6 @@ dist: ## a tarball of git's HEAD, an Arduino and PlatformIO library, an ESP-IDF 
 
 deb: ## Debian packages pinhole and libpinhole-dev of git's HEAD, checked by lintian: build/deb/
 	$(Q)B='$(B)' VERSION='$(PINHOLE_VERSION)' $(HERE)/deb.sh
+
+examples: all ## builds and runs the examples; writes their pictures, README and CRCs again
+	$(Q)B='$(B)' CC='$(CC)' $(HERE)/examples.sh
