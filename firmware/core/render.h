@@ -686,6 +686,19 @@ int ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, cons
 int ph_draw_points(struct ph_renderer *r, const struct ph_points *points, const struct ph_xform *to_world,
                    const struct ph_material *material);
 
+/* A rectangle of the picture: its upper left pixel and its size. */
+struct ph_rectangle {
+    uint16_t x, y, width, height;
+};
+
+/*
+ * The smallest rectangle that holds the corners of all that the frame has listed so far; with points the whole picture.
+ * All outside of it will have the background's colour, so a display need be sent no more than this rectangle and that
+ * of the frame before. Call it before ph_frame_bands. Cost: it looks at each listed triangle's corners.
+ * Returns false, and a box of size 0, if nothing was listed, or no frame has begun, or its bands are made.
+ */
+bool ph_frame_box(const struct ph_renderer *r, struct ph_rectangle *box);
+
 /* Sorts the triangles into bands, after which no more can be drawn. Returns the number of bands; 0 if no frame has
  * begun, or its bands are made already. */
 uint32_t ph_frame_bands(struct ph_renderer *r);

@@ -31,7 +31,7 @@ esp_idf() {
     local to=$work/esp/pinhole
     mkdir -p "$to/include/pinhole" "$to/examples"
     cp -r "$core" "$work/tree/LICENSE" "$to"
-    cp "$here"/examples/{esp_lcd.c,lvgl.c,triangle.h} "$to/examples"
+    cp "$here"/examples/{esp_lcd.c,lvgl.c,ph_lvgl.c,ph_lvgl.h,triangle.h} "$to/examples"
     cp "$core"/*.h "$core/kernels/portable/fx_cpu.h" "$to/include/pinhole"
     fill "$here/idf_component.yml.in" >"$to/idf_component.yml"
     cp "$here/esp_idf.cmake" "$to/CMakeLists.txt"
@@ -79,7 +79,7 @@ choose() { # name, folder that its texts go to
 arduino() {
     local to=$work/arduino/Pinhole src name
     src=$to/src/pinhole
-    mkdir -p "$src" "$to/examples/Hello"
+    mkdir -p "$src"
     cp "$core"/{fx,geom,render,effects}/*.[ch] "$core"/*.h "$core"/kernels/*.inc "$src"
     for name in "$core"/kernels/*.h; do flat "$name" >"$src/${name##*/}"; done
     for name in $(find "$core"/kernels/{portable,armv6m,armv7m,rv32} -type f -printf '%f\n' | sort -u); do
@@ -90,7 +90,9 @@ arduino() {
         fi
     done
     library "$to"
-    cp "$here"/examples/{Hello.ino,triangle.h} "$to/examples/Hello"
+    for name in Hello LovyanGFX Arduino_GFX; do
+        mkdir -p "$to/examples/$name" && cp "$here"/examples/{$name.ino,triangle.h} "$to/examples/$name"
+    done
     (cd "$work/arduino" && zip -qr -X "$1" Pinhole)
 }
 

@@ -14,7 +14,7 @@ here=firmware/package/examples
 programs() { grep -lE 'example_save|example_run|stdout' $here/*.c $here/*.cpp | sed 's|.*/||' | sort; }
 
 # The first comment of a source as one line, without its name.
-about() { sed -n '1,/\*\/$\|^#/p' "$1" | grep -E '^(/\*|//| \*)' | sed -E 's|^(/\*\|//\| \*) ?||; s| ?\*/$||' | paste -sd' '; }
+about() { sed -n '1,/\*\/$\|^#/p' "$1" | grep -E '^(/\*|//| \* )' | sed -E 's|^(/\*\|//\| \*) ?||; s| ?\*/$||' | paste -sd' '; }
 
 readme() {
     cat <<'MD'

@@ -27,16 +27,23 @@ struct scene {
     struct ph_scene_light light;
     struct ph_config config;
     struct ph_renderer r;
-    uint32_t seen; /* pixels that are not black */
+    uint32_t seen;                     /* pixels that are not black */
+    uint32_t left, right, top, bottom; /* of these; ends are exclusive */
     bool does_not_begin;
 };
 
 static int count_seen(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t height, const void *pixels)
 {
-    (void)x;
-    (void)y;
+    struct scene *const s = context;
     for (uint32_t i = 0; i < width * height; i++) {
-        ((struct scene *)context)->seen += ((const uint16_t *)pixels)[i] != 0;
+        const uint32_t column = x + i % width, row = y + i / width;
+        if (((const uint16_t *)pixels)[i] != 0) {
+            s->left = s->seen == 0 || column < s->left ? column : s->left;
+            s->right = s->seen == 0 || column >= s->right ? column + 1 : s->right;
+            s->top = s->seen == 0 ? row : s->top;
+            s->bottom = row + 1;
+            s->seen++;
+        }
     }
     return 0;
 }
@@ -268,6 +275,84 @@ static void a_renderer_of_zeros_refuses_all(void **state)
     assert_int_equal(ph_show(&s.r, count_seen, &s), PH_ERR_STATE);
 }
 
+/* ---- where a frame draws ---------------------------------------------------------------------------------------- */
+
+enum drawn { DRAWN_MESH, DRAWN_LINE, DRAWN_POINTS, DRAWN_NOTHING };
+
+/* Draws with the triangle this far to the right and nearer, and compares the box with what is seen. */
+static void assert_box(struct scene *s, enum drawn what, fx_t right, fx_t nearer, uint32_t slack)
+{
+    struct ph_rectangle box = {1, 2, 3, 4};
+    const struct ph_points points = {.positions = s->positions, .count = 3, .size = FX_INT(3)};
+    s->place = ph_xform_translate(right, 0, nearer);
+    assert_int_equal(ph_frame_begin(&s->r, &s->view, &s->lens, &s->light, 0), PH_OK);
+    assert_false(ph_frame_box(&s->r, &box));
+    assert_int_equal(box.width | box.height, 0);
+    if (what == DRAWN_MESH) {
+        assert_int_equal(ph_draw_mesh(&s->r, &s->mesh, &s->place), PH_OK);
+    } else if (what == DRAWN_LINE) {
+        assert_int_equal(ph_draw_line(&s->r, s->positions[0], s->positions[2], &s->material), PH_OK);
+    } else if (what == DRAWN_POINTS) {
+        assert_int_equal(ph_draw_points(&s->r, &points, &s->place, &s->material), PH_OK);
+    }
+    const bool any = ph_frame_box(&s->r, &box);
+    s->seen = 0;
+    assert_int_equal(ph_show(&s->r, count_seen, s), PH_OK);
+    assert_true(any || s->seen == 0);
+    if (s->seen > 0) {
+        assert_true(box.x <= s->left && box.x + box.width >= s->right && box.y <= s->top &&
+                    box.y + box.height >= s->bottom);
+        assert_true(box.x + slack >= s->left && box.x + box.width <= s->right + slack && box.y + slack >= s->top &&
+                    box.y + box.height <= s->bottom + slack);
+    }
+    assert_false(ph_frame_box(&s->r, &box)); /* its bands are made */
+}
+
+static void the_box_holds_what_is_drawn_and_no_more(void **state)
+{
+    struct scene s;
+    (void)state;
+    make_scene(&s);
+    assert_int_equal(ph_config_memory(&s.config, s.memory, sizeof s.memory), PH_OK);
+    assert_int_equal(ph_renderer_init(&s.r, &s.config), PH_OK);
+    for (fx_t right = -FX_INT(3); right <= FX_INT(3); right += FX_ONE / 7) {
+        assert_box(&s, DRAWN_MESH, right, 0, SIDE); /* its part on the picture may be lower than it */
+        assert_box(&s, DRAWN_MESH, right, FX_ONE * 2, SIDE);
+    }
+    assert_box(&s, DRAWN_MESH, 0, 0, 3);
+    assert_true(s.seen > 1000);
+    s.material.shading = PH_SHADE_TEXTURE;
+    s.material.blend = &s.blend;
+    s.positions[2].z = FX_INT(4); /* clipped by the near plane */
+    assert_box(&s, DRAWN_MESH, 0, 0, SIDE);
+    assert_true(s.seen > 0 && s.r.stats.triangles_clipped == 1);
+    s.material.shading = PH_SHADE_UNLIT;
+    s.positions[2].z = 0;
+    assert_box(&s, DRAWN_LINE, 0, 0, 2);
+    assert_true(s.seen > 0);
+    assert_box(&s, DRAWN_POINTS, 0, 0, SIDE);
+    assert_true(s.seen > 0);
+    assert_box(&s, DRAWN_NOTHING, 0, 0, 0);
+}
+
+static void the_box_of_samples_is_in_pixels(void **state)
+{
+    static uint32_t depth[SIDE * LINES * 2], samples[SIDE * LINES * 2];
+    struct scene s;
+    (void)state;
+    make_scene(&s);
+    assert_int_equal(ph_config_memory(&s.config, s.memory, sizeof s.memory), PH_OK);
+    s.config.depth = depth;
+    s.config.samples = (uint16_t *)samples;
+    s.config.antialiasing = PH_ANTIALIAS_2X2;
+    assert_int_equal(ph_renderer_init(&s.r, &s.config), PH_OK);
+    for (fx_t right = -FX_INT(2); right <= FX_INT(2); right += FX_ONE / 7) {
+        assert_box(&s, DRAWN_MESH, right, 0, SIDE); /* its part on the picture may be lower than it */
+    }
+    assert_box(&s, DRAWN_MESH, 0, 0, 3);
+    assert_true(s.seen > 1000);
+}
+
 /* ---- memory ----------------------------------------------------------------------------------------------------- */
 
 /* All pictures of 1 .. 1024 lines fit, and the tallest one has no word to spare. */
@@ -363,6 +448,8 @@ int main(void)
         cmocka_unit_test(parts_of_nothing),
         cmocka_unit_test(bands_that_are_not_drawn_are_told),
         cmocka_unit_test(a_renderer_of_zeros_refuses_all),
+        cmocka_unit_test(the_box_holds_what_is_drawn_and_no_more),
+        cmocka_unit_test(the_box_of_samples_is_in_pixels),
         cmocka_unit_test(the_constant_is_what_the_renderer_takes),
         cmocka_unit_test(memory_for_nothing_is_refused),
     };

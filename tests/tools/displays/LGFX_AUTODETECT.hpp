@@ -1,0 +1,1 @@
+/* A stand-in: the display is that of LovyanGFX.hpp. */
