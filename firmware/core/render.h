@@ -729,7 +729,7 @@ struct ph_overlay_band;
 typedef void ph_paint(void *context, const struct ph_overlay_band *band);
 
 /* Shows the frame as ph_show() does, with what paint draws over it; NULL: nothing. Not in the small profile. */
-int ph_show_painted(struct ph_renderer *r, ph_paint *paint, ph_flush *flush, void *context);
+int ph_show_painted(struct ph_renderer *r, ph_flush *flush, void *context, ph_paint *paint);
 
 /* ---- colours ---------------------------------------------------------------------------------------------- */
 

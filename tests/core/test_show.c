@@ -158,7 +158,7 @@ static void what_is_painted_lies_over_the_picture(void **state)
         struct pair *p = pair_open("cube", PH_PIXELS_WIRE, changes != 0);
         for (uint32_t frame = 4; frame < 6; frame++) {
             assert_int_equal(p->shown.demo->frame(&p->shown.context, &p->shown.rig.r, frame), PH_OK);
-            assert_int_equal(ph_show_painted(&p->shown.rig.r, paint, flush, &p->glass), PH_OK);
+            assert_int_equal(ph_show_painted(&p->shown.rig.r, flush, &p->glass, paint), PH_OK);
             demo_stage_frame(&p->by_bands, frame);
             const struct ph_overlay_band whole = {p->by_bands.rig.pixels, W, 0, H};
             paint(&p->glass, &whole);

@@ -62,7 +62,7 @@ PH_TIER(mesh) static void put_in_order(void *pixels, uint32_t n, unsigned order)
     }
 }
 
-PH_TIER(mesh) int ph_show_painted(struct ph_renderer *r, ph_paint *paint, ph_flush *flush, void *context)
+PH_TIER(mesh) int ph_show_painted(struct ph_renderer *r, ph_flush *flush, void *context, ph_paint *paint)
 {
     const struct ph_config *const config = &r->config;
     uint16_t *const pixels = config->pixels;
@@ -74,27 +74,27 @@ PH_TIER(mesh) int ph_show_painted(struct ph_renderer *r, ph_paint *paint, ph_flu
         return PH_ERR_INVAL;
     }
     const uint32_t width = (uint32_t)config->width >> r->samples_log2, bands = ph_frame_bands(r);
-    const bool partial = config->shown != NULL && r->is_shown;
+    struct ph_overlay_band over = {pixels, (uint16_t)width, 0, 0};
     int status = PH_OK;
-    for (uint32_t band = 0, y = 0, lines; band < bands && status == PH_OK; band++, y += lines) {
-        lines = ph_draw_band(r, band, pixels);
-        if (lines == 0) {
+    for (uint32_t band = 0; band < bands && status == PH_OK; band++, over.y0 += over.lines) {
+        over.lines = (int32_t)ph_draw_band(r, band, pixels);
+        if (over.lines == 0) {
             status = PH_ERR_STATE;
             break;
         }
         if (paint != NULL) {
-            const struct ph_overlay_band over = {pixels, (uint16_t)width, (int32_t)y, (int32_t)lines};
             paint(context, &over); /* calls paint */
         }
-        struct changed c = {0, 0, width, lines};
+        struct changed c = {0, 0, width, (uint32_t)over.lines};
         if (config->shown != NULL) {
-            const struct changed found = find_changes(pixels, config->shown + (size_t)y * width, width, lines);
-            c = partial ? found : c;
+            const struct changed found =
+                find_changes(pixels, config->shown + (uint32_t)over.y0 * width, width, (uint32_t)over.lines);
+            c = r->is_shown ? found : c;
         }
         if (c.height > 0) {
             gather(pixels, width, &c);
             put_in_order(pixels, c.width * c.height, config->pixel_order);
-            status = flush(context, c.x, y + c.y, c.width, c.height, pixels); /* calls flush */
+            status = flush(context, c.x, (uint32_t)over.y0 + c.y, c.width, c.height, pixels); /* calls flush */
         }
     }
     r->is_shown = status == PH_OK;
@@ -103,5 +103,5 @@ PH_TIER(mesh) int ph_show_painted(struct ph_renderer *r, ph_paint *paint, ph_flu
 
 PH_TIER(mesh) int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
 {
-    return ph_show_painted(r, NULL, flush, context);
+    return ph_show_painted(r, flush, context, NULL);
 }

@@ -35,6 +35,6 @@ int main(int argc, char *argv[])
     const struct ph_config config = example_config();
     int status = ph_renderer_init(&r, &config);
     status = status != 0 ? status : draw(example_frame(argc, argv));
-    status = status != 0 ? status : ph_show_painted(&r, paint, example_flush, NULL);
+    status = status != 0 ? status : ph_show_painted(&r, example_flush, NULL, paint);
     return example_save(&r, status);
 }
