@@ -16,6 +16,7 @@
  *   RGB666   3 bytes a pixel    RRRRRR00 GGGGGG00 BBBBBB00   5 bits r become 6 as (r << 1) | (r >> 4)
  *   RGB444   3 bytes 2 pixels   RRRRGGGG BBBBrrrr ggggbbbb   the highest 4 bits; a pair may lie in two lines
  *   GREY4    1 byte 2 pixels    the left pixel is in the high bits; each line starts a byte. See panel_grey4().
+ *   MONO_..  1 byte 8 pixels    one above the other on the glass, the highest in bit 0. See panel_mono().
  *
  * Rotation is the number of degrees (0, 90, 180, 270) by which the picture is turned clockwise on the glass, against
  * the controller's own upright. With 90 the top of the picture lies along the right edge of the glass, and the user
@@ -28,7 +29,15 @@
 
 #include "hal.h"
 
-enum panel_format { PANEL_RGB565, PANEL_RGB666, PANEL_RGB444, PANEL_GREY4 };
+enum panel_format {
+    PANEL_RGB565,
+    PANEL_RGB666,
+    PANEL_RGB444,
+    PANEL_GREY4,
+    PANEL_MONO_DITHER,    /* one bit a pixel: greys are patterns of dots */
+    PANEL_MONO_THRESHOLD, /* one bit a pixel: what is brighter than half is lit */
+    PANEL_FORMATS
+};
 enum panel_rotation { PANEL_R0, PANEL_R90, PANEL_R180, PANEL_R270 }; /* degrees / 90 */
 
 #define PANEL_FORMAT_BIT(format) (1U << (format))
@@ -47,6 +56,14 @@ struct panel_controller {
     uint8_t
         column_pixels; /* pixels of a row of the glass in one column address, which is one byte: 1, or 2 (SSD0323) */
     bool parameters_are_commands; /* parameters go out with D/C low */
+
+    /*
+     * Not 0: the memory consists of pages, which are 8 rows of the glass. A page is addressed by set_page | page and by
+     * the column's low and high four bits in commands 00h and 10h. There are no windows. set_rotation | MX and
+     * set_scan | MY mirror columns and rows; the bits are rotation_bit_mx and rotation_bit_my.
+     */
+    uint8_t set_page, set_scan;
+
     bool window_turns; /* the window's axes turn with the picture (MADCTL MV); else they stay those of the glass */
 
     uint8_t set_rotation;         /* MADCTL or the remap command */
@@ -56,14 +73,15 @@ struct panel_controller {
     uint8_t rotation_bit_mx_pair; /* further bits to set together with mx (SSD0323: nibbles) */
 
     uint8_t set_format;      /* COLMOD; 0: there is one format only */
-    uint8_t format_value[4]; /* its parameter by enum panel_format */
+    uint8_t format_value[3]; /* its parameter by enum panel_format; only colours have a choice */
 
     const uint8_t *on, *off; /* sequences as panel.init: display on; display off and sleep */
     uint16_t on_bytes, off_bytes;
 };
 
 /*
- * A glass with its controller. x0, y0: the glass's place in the controller's memory when no axis is mirrored.
+ * A glass with its controller. x0, y0: the glass's place in the controller's memory when no axis is mirrored. Where the
+ * memory consists of pages, width, height and y0 are multiples of 8.
  * Sequences are the bytes of Linux' panel-mipi-dbi firmware: command, count, parameters; 00h 01h n waits n ms.
  */
 struct panel {
@@ -107,13 +125,24 @@ uint32_t panel_frame_bytes(const struct panel *panel, unsigned format, unsigned 
 /* The time that these bytes take at hz (> 0), in us, rounded up; UINT32_MAX if it is longer. */
 uint32_t panel_frame_us(const struct panel *panel, unsigned format, unsigned rotation, uint32_t hz);
 
+/* The luma 0 .. 255 of a colour that is two bytes, high first: (77 R + 150 G + 29 B) / 256, with channels of 8 bits
+ * that repeat their highest ones. */
+uint32_t panel_luma(uint8_t high, uint8_t low);
+
 /*
- * The grey level 0 .. 15 of the picture's pixel (x, y), whose colour is two bytes, high first. Channels become 8 bits
- * by repeating bits; luma (77 R + 150 G + 29 B) / 256 is dithered with the 4x4 Bayer matrix. Black is 0, white 15.
+ * The grey level 0 .. 15 of the picture's pixel (x, y), whose colour is two bytes, high first. Its luma
+ * is dithered with the 4x4 Bayer matrix. Black is 0, white 15.
  */
 uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y);
 
-#define PANEL_SCRATCH_MIN 256 /* bytes; more makes fewer, longer writes */
+/*
+ * Whether the picture's pixel (x, y) is lit on a glass of one bit. Its luma is that of panel_grey4. MONO_DITHER
+ * compares it with a matrix of 8x8 blue noise that is tied to the picture, so a still picture stays still;
+ * MONO_THRESHOLD compares it with a half. Black is never lit, white always.
+ */
+bool panel_mono(unsigned format, uint8_t high, uint8_t low, uint32_t x, uint32_t y);
+
+#define PANEL_SCRATCH_MIN 256 /* bytes; more makes fewer, longer writes. One bit: also 2 * the picture's width */
 
 struct panel_config {
     const struct panel *panel;
@@ -137,12 +166,13 @@ struct panel_driver {
     uint8_t row_sent[4];
     uint32_t frame_bytes; /* on the wire since panel_frame_begin, or since the caller set it to 0 */
     bool lit;             /* display and backlight are on */
-    bool pair_lines;      /* GREY4 turned by 90 or 270: a byte holds the pixels of two lines */
-    uint8_t lead;         /* GREY4: 1 if the first four bits of the first byte lie beside the glass */
-    uint8_t half;         /* the half of scratch that is filled next */
-    uint32_t half_bytes;  /* size of each half */
-    uint32_t filled;      /* bytes in it */
-    uint8_t carry;        /* 4 bits that wait for the other half of their byte */
+    uint8_t share_x;      /* log2 of the pixels that share a byte: side by side in the picture; one above the other */
+    uint8_t share_y;
+    uint8_t lead;        /* GREY4: 1 if the first four bits of the first byte lie beside the glass */
+    uint8_t half;        /* the half of scratch that is filled next */
+    uint32_t half_bytes; /* size of each half */
+    uint32_t filled;     /* bytes in it */
+    uint8_t carry;       /* 4 bits that wait for the other half of their byte */
     bool carry_full;
 };
 
@@ -171,8 +201,8 @@ void panel_windows_begin(struct panel_driver *d);
 /*
  * Opens a window in the picture, given in its pixels; the lines that follow belong to the window. Borders that the
  * controller still has from the last window are not sent again.
- * Two pixels that share a byte (GREY4: columns 2n and 2n + 1 of the glass) must both be inside or both be outside.
- * Errors: HAL_EINVAL outside of the picture, empty, or in the middle of a byte; or the backend's.
+ * Pixels that share a byte (GREY4: columns 2n and 2n + 1 of the glass; one bit: the rows of a page) must all be inside
+ * or all be outside. Errors: HAL_EINVAL outside of the picture, empty, or in the middle of a byte; or the backend's.
  */
 int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width, uint32_t height);
 
@@ -181,6 +211,8 @@ int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width,
  * line to the next (>= the window's width). The pixels belong to the driver as with panel_rows.
  */
 int panel_window_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t stride, uint32_t lines);
+
+#define PANEL_PAGE_BYTES 3 /* of the commands that address a page */
 
 /* Bytes of a border (command and parameters); bytes of the memory write command, 0 if there is none. */
 uint32_t panel_border_bytes(const struct panel_controller *c);

@@ -31,9 +31,10 @@ struct panel_diff {
     uint32_t windows, bytes; /* of the last frame; bytes as predicted when the windows were chosen, commands included */
 
     uint16_t width, height;   /* of the picture */
-    uint32_t units_x;         /* units in a line: pixels, or pairs that share a byte */
-    uint8_t pair_x, pair_y;   /* 1: two pixels share a byte, side by side; one above the other */
+    uint32_t units_x;         /* units in a line: pixels, or those that share a byte */
+    uint8_t share_x, share_y; /* log2 of the pixels that share a byte: side by side; one above the other */
     uint8_t lead;             /* only the second pixel of the first pair is in the picture */
+    bool pages;               /* windows lie within a page, see panel.h */
     uint16_t *shown;          /* the picture on the glass, or on its way there */
     uint32_t *bits[2];        /* units that changed from line `first` on, a bit each: by lines; by columns */
     uint32_t words[2];        /* in a line; in a column */
@@ -56,6 +57,7 @@ struct panel_diff {
     uint32_t open_cost;       /* of a window, in half bytes, with the time of its writes */
     uint32_t beside_cost;     /* of a window in the same lines as the last */
     uint32_t step;            /* slabs may be cut at multiples of so many lines */
+    uint32_t slab;            /* most lines of a slab */
     struct panel_driver *out; /* during a call */
     int status;               /* of the frame: the first error */
 };

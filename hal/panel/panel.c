@@ -73,6 +73,11 @@ static int initialise(const struct panel_driver *d)
         return status;
     }
     struct panel_place place = panel_place(panel, d->config.rotation);
+    if (c->set_page != 0) {
+        const uint8_t mirrors[2] = {c->set_rotation | (place.rotation_byte & c->rotation_bit_mx),
+                                    c->set_scan | (place.rotation_byte & c->rotation_bit_my)};
+        return send(&d->hal, HAL_COMMAND, mirrors, sizeof mirrors);
+    }
     status = send_command(d, c->set_rotation, &place.rotation_byte, 1);
     if (status < 0 || c->set_format == 0) {
         return status;
@@ -83,7 +88,7 @@ static int initialise(const struct panel_driver *d)
 static int check(const struct panel_config *config)
 {
     const struct panel *panel = config->panel;
-    if (config->rotation > PANEL_R270 || config->format > PANEL_GREY4 || config->clock_hz == 0 ||
+    if (config->rotation > PANEL_R270 || config->format >= PANEL_FORMATS || config->clock_hz == 0 ||
         (panel->formats & PANEL_FORMAT_BIT(config->format)) == 0) {
         return HAL_EINVAL;
     }
@@ -149,6 +154,9 @@ static int send_border(struct panel_driver *d, const uint8_t *command, uint32_t 
 static int open_window(struct panel_driver *d, uint32_t x, uint32_t y, bool again)
 {
     const struct panel_controller *c = d->config.panel->controller;
+    if (c->set_page != 0) {
+        return HAL_OK; /* each piece of a page is addressed by itself */
+    }
     struct panel_place place = panel_place(d->config.panel, d->config.rotation);
     bool swap = !c->window_turns && (d->config.rotation & 1) != 0; /* the picture's lines are columns of the glass */
     uint32_t height = d->bottom - y, column = place.column + (swap ? y : x), row = place.row + (swap ? x : y);
@@ -186,10 +194,11 @@ void panel_windows_begin(struct panel_driver *d)
     memset(d->row_sent, UINT8_MAX, sizeof d->row_sent);
 }
 
-/* Whether `first` and `end` lie between two bytes. Pixels beside the picture do not count. */
-static bool between_bytes(const struct panel_driver *d, uint32_t first, uint32_t end, uint32_t size)
+/* Whether `first` and `end` lie between two bytes of 1 << share pixels. Pixels beside the picture do not count. */
+static bool between_bytes(const struct panel_driver *d, uint32_t share, uint32_t first, uint32_t end, uint32_t size)
 {
-    return (first == 0 || ((first + d->lead) & 1U) == 0) && (end == size || ((end + d->lead) & 1U) == 0);
+    const uint32_t inside = (1U << share) - 1;
+    return (first == 0 || ((first + d->lead) & inside) == 0) && (end == size || ((end + d->lead) & inside) == 0);
 }
 
 int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width, uint32_t height)
@@ -199,8 +208,8 @@ int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width,
         height > d->height - y) {
         return HAL_EINVAL;
     }
-    if (d->config.format == PANEL_GREY4 &&
-        !(d->pair_lines ? between_bytes(d, y, y + height, d->height) : between_bytes(d, x, x + width, d->width))) {
+    if (!between_bytes(d, d->share_x, x, x + width, d->width) ||
+        !between_bytes(d, d->share_y, y, y + height, d->height)) {
         return HAL_EINVAL;
     }
     /* Without a memory write command only the borders take the controller back to the window's start. An SSD1351 has

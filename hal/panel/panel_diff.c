@@ -1,7 +1,7 @@
 /*
  * See panel_diff.h.
  *
- * Lines, columns and areas below are in units: a unit is a pixel, or the two pixels that share a byte. Lines count from
+ * Lines, columns and areas below are in units: a unit is a pixel, or the pixels that share a byte. Lines count from
  * the first that is not yet decided. bits[0] has a bit for each unit, line by line; bits[1] has the same bits column by
  * column. A function that takes `turned` works on bits[turned], with x and y exchanged for 1. Costs are in half bytes,
  * because a pixel of RGB444 takes one and a half bytes.
@@ -35,6 +35,12 @@ static uint32_t lesser(uint32_t a, uint32_t b)
 static uint32_t larger(uint32_t a, uint32_t b)
 {
     return a > b ? a : b;
+}
+
+/* Units of 1 << share pixels that n pixels take; `lead` pixels of the first one lie before them. */
+static uint32_t units(uint32_t n, uint32_t share, uint32_t lead)
+{
+    return share == 0 ? n : (n + lead + (1U << share) - 1) >> share;
 }
 
 /* The next n bytes of memory, a multiple of 8; NULL if there is no memory and they are only counted. */
@@ -79,6 +85,12 @@ static void set_costs(struct panel_diff *diff, const struct panel_driver *d)
 {
     const struct panel_controller *c = d->config.panel->controller;
     const uint32_t write = write_cost(d);
+    if (diff->pages) {
+        diff->step = diff->slab = 1;
+        diff->open_cost = diff->beside_cost = 2 * PANEL_PAGE_BYTES + 2 * write;
+        return;
+    }
+    diff->slab = SLAB_LINES;
     diff->step = write > 0 ? COARSE_LINES : 1;
     const uint32_t border = 2 * panel_border_bytes(c) + 2 * write, start = (2 + write) * panel_start_bytes(c);
     diff->open_cost = 2 * border + start + write;
@@ -88,19 +100,19 @@ static void set_costs(struct panel_diff *diff, const struct panel_driver *d)
 int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint32_t refresh_frames, void *memory,
                     size_t bytes)
 {
-    static const uint8_t unit_costs[] = {[PANEL_RGB565] = 4, [PANEL_RGB666] = 6, [PANEL_RGB444] = 3, [PANEL_GREY4] = 2};
+    static const uint8_t unit_costs[PANEL_FORMATS] = {4, 6, 3, 2, 2, 2};
     if (bytes < panel_diff_bytes(d->width, d->height)) {
         return HAL_EINVAL;
     }
-    const bool grey = d->config.format == PANEL_GREY4;
     memset(diff, 0, sizeof *diff);
     diff->refresh_frames = refresh_frames;
     diff->width = d->width;
     diff->height = d->height;
-    diff->pair_x = grey && !d->pair_lines;
-    diff->pair_y = d->pair_lines;
+    diff->share_x = d->share_x;
+    diff->share_y = d->share_y;
     diff->lead = d->lead;
-    diff->units_x = diff->pair_x ? (d->width + d->lead + 1U) / 2 : d->width;
+    diff->pages = d->config.panel->controller->set_page != 0;
+    diff->units_x = units(d->width, d->share_x, d->lead);
     diff->words[0] = words_of(diff->units_x);
     diff->words[1] = words_of(d->height);
     diff->unit_cost = unit_costs[d->config.format];
@@ -114,7 +126,8 @@ int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint3
 /* The line of units in which line y of the picture lies. */
 static uint32_t unit_line(const struct panel_diff *diff, uint32_t y)
 {
-    return diff->pair_y ? (y + diff->lead) / 2 - (diff->first + diff->lead) / 2U : y - diff->first;
+    const uint32_t lead = diff->share_y != 0 ? diff->lead : 0;
+    return ((y + lead) >> diff->share_y) - ((diff->first + lead) >> diff->share_y);
 }
 
 static uint32_t unit_lines(const struct panel_diff *diff)
@@ -130,6 +143,10 @@ static bool differ(const struct panel_diff *diff, const uint8_t *a, const uint8_
         return (((a[0] ^ b[0]) & 0xF7) | ((a[1] ^ b[1]) & 0x9E)) != 0;
     case PANEL_GREY4:
         return (a[0] != b[0] || a[1] != b[1]) && panel_grey4(a[0], a[1], x, y) != panel_grey4(b[0], b[1], x, y);
+    case PANEL_MONO_DITHER:
+    case PANEL_MONO_THRESHOLD:
+        return panel_mono(diff->out->config.format, a[0], a[1], x, y) !=
+               panel_mono(diff->out->config.format, b[0], b[1], x, y);
     default:
         return a[0] != b[0] || a[1] != b[1];
     }
@@ -147,7 +164,7 @@ static void take_line(struct panel_diff *diff, const uint16_t *pixels)
     if (memcmp(shown, pixels, sizeof *pixels * diff->width) != 0) {
         for (uint32_t x = 0; x < diff->width; x++) {
             if (differ(diff, (const uint8_t *)(shown + x), (const uint8_t *)(pixels + x), x, diff->row)) {
-                const uint32_t unit = diff->pair_x ? (x + diff->lead) / 2 : x;
+                const uint32_t unit = diff->share_x != 0 ? (x + diff->lead) >> diff->share_x : x;
                 bits[unit / 32] |= 1U << unit % 32;
             }
         }
@@ -233,7 +250,7 @@ static uint32_t plan(struct panel_diff *diff, int turned, const struct area *are
     const uint32_t *merged = diff->merged[turned];
     cost[area->y1] = 0;
     for (uint32_t steps = (area->y1 - area->y0 + diff->step - 1) / diff->step; steps-- > 0;) {
-        const uint32_t y = area->y0 + steps * diff->step, last = lesser(area->y1, y + SLAB_LINES);
+        const uint32_t y = area->y0 + steps * diff->step, last = lesser(area->y1, y + diff->slab);
         uint32_t best = UINT32_MAX;
         for (uint32_t from = y, end; from < last; from = end) {
             end = lesser(from + diff->step, last);
@@ -259,12 +276,12 @@ static uint32_t plan(struct panel_diff *diff, int turned, const struct area *are
 
 /* ---- sending ------------------------------------------------------------------------------------ */
 
-static uint32_t pixel_of(uint32_t unit, bool pairs, uint32_t lead, uint32_t origin, uint32_t size)
+static uint32_t pixel_of(uint32_t unit, uint32_t share, uint32_t lead, uint32_t origin, uint32_t size)
 {
-    if (!pairs) {
+    if (share == 0) {
         return origin + unit;
     }
-    const uint32_t pixel = (origin + lead) / 2 * 2 + 2 * unit;
+    const uint32_t pixel = (((origin + lead) >> share) + unit) << share;
     return pixel < lead ? 0 : pixel - lead < size ? pixel - lead : size;
 }
 
@@ -276,10 +293,11 @@ static uint32_t predict(struct panel_diff *diff, const struct area *px)
     const bool columns = again || diff->last[0] != px->x0 || diff->last[1] != px->x1;
     const bool lines = again || diff->last[2] != px->y0 || diff->last[3] != px->y1;
     const uint32_t width = px->x1 - px->x0, height = px->y1 - px->y0;
-    const uint32_t lead = (uint32_t)diff->lead * ((diff->pair_x ? px->x0 : px->y0) == 0);
-    const uint32_t cells = diff->pair_x   ? (width + lead + 1) / 2 * height
-                           : diff->pair_y ? (height + lead + 1) / 2 * width
-                                          : width * height;
+    const uint32_t lead = (uint32_t)diff->lead * ((diff->share_x != 0 ? px->x0 : px->y0) == 0);
+    const uint32_t cells = units(width, diff->share_x, lead) * units(height, diff->share_y, lead);
+    if (diff->pages) { /* turned, the driver collects at most `diff->width` lines for a page */
+        return cells + PANEL_PAGE_BYTES * (diff->share_y != 0 ? 1 : (height + diff->width - 1) / diff->width);
+    }
     diff->last[0] = (uint16_t)px->x0;
     diff->last[1] = (uint16_t)px->x1;
     diff->last[2] = (uint16_t)px->y0;
@@ -318,10 +336,10 @@ static uint32_t area_cost(const struct panel_diff *diff, const struct area *w)
 
 static void send_window(struct panel_diff *diff, const struct area *window)
 {
-    const struct area px = {pixel_of(window->x0, diff->pair_x, diff->lead, 0, diff->width),
-                            pixel_of(window->x1, diff->pair_x, diff->lead, 0, diff->width),
-                            pixel_of(window->y0, diff->pair_y, diff->lead, diff->first, diff->height),
-                            pixel_of(window->y1, diff->pair_y, diff->lead, diff->first, diff->height)};
+    const struct area px = {pixel_of(window->x0, diff->share_x, diff->lead, 0, diff->width),
+                            pixel_of(window->x1, diff->share_x, diff->lead, 0, diff->width),
+                            pixel_of(window->y0, diff->share_y, diff->lead, diff->first, diff->height),
+                            pixel_of(window->y1, diff->share_y, diff->lead, diff->first, diff->height)};
     if (diff->status < 0) {
         return;
     }
@@ -423,6 +441,13 @@ static void decide(struct panel_diff *diff)
     const struct area all[2] = {upright, turn(&upright)};
     uint32_t cost[2], apart[2];
     turn_bits(diff, &upright);
+    if (diff->pages) { /* each by itself: a slab is one */
+        const int across = diff->share_y == 0;
+        plan(diff, across, &all[across]);
+        send_plan(diff, across, &all[across]);
+        diff->first = diff->row;
+        return;
+    }
     for (int turned = 0; turned < 2; turned++) {
         apart[turned] = plan_groups(diff, turned, &all[turned]);
         cost[turned] = plan(diff, turned, &all[turned]);
@@ -529,7 +554,7 @@ static void send_changes(struct panel_diff *diff, const uint16_t *pixels, uint32
         take_line(diff, pixels + (size_t)i * diff->width);
     }
     const bool last = diff->row == diff->height;
-    const bool between = !diff->pair_y || ((diff->row + diff->lead) & 1U) == 0;
+    const bool between = diff->share_y == 0 || ((diff->row + diff->lead) & ((1U << diff->share_y) - 1)) == 0;
     if (diff->row > diff->first && (last || (between && diff->row - diff->first >= DECIDE_LINES))) {
         decide(diff);
     }

@@ -4,6 +4,8 @@
  */
 #include "panel_pack.h"
 
+#include "panel_page.h"
+
 #include <string.h>
 
 /* one pixel adds at most so many */
@@ -11,11 +13,15 @@
 
 static const uint8_t bayer4[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
 
-uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y)
+uint32_t panel_luma(uint8_t high, uint8_t low)
 {
     uint32_t r5 = high >> 3, g6 = (high & 7U) << 3 | low >> 5, b5 = low & 31U;
-    uint32_t luma = (77 * (r5 << 3 | r5 >> 2) + 150 * (g6 << 2 | g6 >> 4) + 29 * (b5 << 3 | b5 >> 2)) >> 8;
-    uint32_t scaled = 15 * luma;                        /* level * 255 */
+    return (77 * (r5 << 3 | r5 >> 2) + 150 * (g6 << 2 | g6 >> 4) + 29 * (b5 << 3 | b5 >> 2)) >> 8;
+}
+
+uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y)
+{
+    uint32_t scaled = 15 * panel_luma(high, low);       /* level * 255 */
     uint32_t level = (scaled + 1 + (scaled >> 8)) >> 8; /* scaled / 255, exact below 65535 */
     uint32_t rest = scaled - 255 * level;
     return (uint8_t)(level + (32 * rest > 255 * (2U * bayer4[y & 3][x & 3] + 1)));
@@ -24,12 +30,17 @@ uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y)
 int panel_pack_init(struct panel_driver *d)
 {
     const struct panel_config *config = &d->config;
-    d->pair_lines =
-        config->format == PANEL_GREY4 && config->panel->controller->column_pixels == 2 && (config->rotation & 1) != 0;
+    if (config->panel->controller->set_page != 0) {
+        return panel_page_init(d);
+    }
+    if (config->format == PANEL_GREY4) {
+        d->share_y = config->panel->controller->column_pixels == 2 && (config->rotation & 1) != 0;
+        d->share_x = !d->share_y;
+    }
     if (config->format == PANEL_RGB565 && (config->scratch == NULL || config->scratch_bytes < PANEL_SCRATCH_MIN)) {
         return HAL_OK; /* without scratch memory windows are sent line by line */
     }
-    size_t kept = d->pair_lines ? d->width : 0; /* the upper line of a pair, at the end of scratch */
+    size_t kept = d->share_y != 0 ? d->width : 0; /* the upper line of a pair, at the end of scratch */
     if (config->scratch_bytes < kept + 2 * PIXEL_BYTES_MAX) {
         return HAL_EINVAL;
     }
@@ -96,7 +107,7 @@ static uint8_t *pack_grey4(struct panel_driver *d, uint8_t *out, const uint8_t *
 {
     for (uint32_t i = 0; i < n; i++) {
         uint8_t grey = panel_grey4(in[2 * i], in[2 * i + 1], x + i, d->row);
-        if (!d->pair_lines) {
+        if (d->share_y == 0) {
             out = pack_nibble(d, out, grey);
         } else if (((d->row + d->lead) & 1U) == 0) {
             upper_line(d)[x + i] = grey;
@@ -147,7 +158,10 @@ static int pack_rest(struct panel_driver *d)
 int panel_pack_line(struct panel_driver *d, const uint8_t *pixels)
 {
     uint32_t x = 0;
-    if (d->config.format == PANEL_GREY4 && !d->pair_lines && d->lead != 0 && d->x == 0) {
+    if (d->config.panel->controller->set_page != 0) {
+        return panel_page_line(d, pixels);
+    }
+    if (d->config.format == PANEL_GREY4 && d->share_y == 0 && d->lead != 0 && d->x == 0) {
         d->carry = 0;
         d->carry_full = true;
     }
@@ -179,6 +193,8 @@ static int pack_last_line(struct panel_driver *d)
 
 int panel_pack_end(struct panel_driver *d)
 {
-    int status = d->pair_lines && ((d->bottom + d->lead) & 1U) != 0 ? pack_last_line(d) : pack_rest(d);
+    int status = d->config.format == PANEL_GREY4 && d->share_y != 0 && ((d->bottom + d->lead) & 1U) != 0
+                     ? pack_last_line(d)
+                     : pack_rest(d);
     return status < 0 ? status : flush(d);
 }

@@ -66,6 +66,9 @@ static uint32_t pixel_bytes(const struct panel *panel, unsigned format, unsigned
     case PANEL_GREY4:
         return (panel_place(panel, rotation).column % panel->controller->column_pixels + panel->width + 1U) / 2 *
                panel->height;
+    case PANEL_MONO_DITHER:
+    case PANEL_MONO_THRESHOLD: /* turned by 90 or 270, a piece of a page has 8 bytes */
+        return width * height / 8 + PANEL_PAGE_BYTES * (turns_mv(rotation) ? width / 8 * (height / 8) : height / 8);
     default:
         return 2 * width * height;
     }
@@ -74,7 +77,8 @@ static uint32_t pixel_bytes(const struct panel *panel, unsigned format, unsigned
 uint32_t panel_frame_bytes(const struct panel *panel, unsigned format, unsigned rotation)
 {
     const struct panel_controller *c = panel->controller;
-    return 2 * panel_border_bytes(c) + panel_start_bytes(c) + pixel_bytes(panel, format, rotation);
+    const uint32_t window = c->set_page != 0 ? 0 : 2 * panel_border_bytes(c) + panel_start_bytes(c);
+    return window + pixel_bytes(panel, format, rotation);
 }
 
 uint32_t panel_frame_us(const struct panel *panel, unsigned format, unsigned rotation, uint32_t hz)

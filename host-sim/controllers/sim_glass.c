@@ -9,21 +9,27 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Columns: panel, controller, glass, memory, first column and row; mirrored, bgr, complement, round, backlit. */
+/* Columns: panel, controller, glass, memory, first column and row; mirrored, bgr, complement, round, backlit; in order.
+ */
 static const struct sim_glass glasses[] = {
-    {"st7789-240x240", &sim_model_st7789, 240, 240, 240, 320, 0, 0, false, false, true, false, true},
-    {"st7789-135x240", &sim_model_st7789, 135, 240, 240, 320, 52, 40, false, false, true, false, true},
-    {"st7789-240x320", &sim_model_st7789, 240, 320, 240, 320, 0, 0, false, false, true, false, true},
-    {"st7789-170x320", &sim_model_st7789, 170, 320, 240, 320, 35, 0, false, false, true, false, true},
-    {"st7789-240x280", &sim_model_st7789, 240, 280, 240, 320, 0, 20, false, false, true, false, true},
-    {"gc9a01-240x240", &sim_model_gc9a01, 240, 240, 240, 240, 0, 0, true, true, true, true, true},
-    {"ili9341-240x320", &sim_model_ili9341, 240, 320, 240, 320, 0, 0, true, true, false, false, true},
-    {"ili9488-320x480", &sim_model_ili9488, 320, 480, 320, 480, 0, 0, true, true, false, false, true},
-    {"st7735s-128x128", &sim_model_st7735s, 128, 128, 132, 132, 2, 1, false, true, false, false, true},
-    {"st7735s-128x160", &sim_model_st7735s, 128, 160, 132, 162, 2, 1, false, true, false, false, true},
-    {"st7735s-80x160", &sim_model_st7735s, 80, 160, 132, 162, 26, 1, false, true, true, false, true},
-    {"ssd1351-128x128", &sim_model_ssd1351, 128, 128, 128, 128, 0, 0, false, false, false, false, false},
-    {"ssd0323-128x64", &sim_model_ssd0323, 128, 64, 128, 80, 0, 0, false, false, false, false, false},
+    {"st7789-240x240", &sim_model_st7789, 240, 240, 240, 320, 0, 0, false, false, true, false, true, false},
+    {"st7789-135x240", &sim_model_st7789, 135, 240, 240, 320, 52, 40, false, false, true, false, true, false},
+    {"st7789-240x320", &sim_model_st7789, 240, 320, 240, 320, 0, 0, false, false, true, false, true, false},
+    {"st7789-170x320", &sim_model_st7789, 170, 320, 240, 320, 35, 0, false, false, true, false, true, false},
+    {"st7789-240x280", &sim_model_st7789, 240, 280, 240, 320, 0, 20, false, false, true, false, true, false},
+    {"gc9a01-240x240", &sim_model_gc9a01, 240, 240, 240, 240, 0, 0, true, true, true, true, true, false},
+    {"ili9341-240x320", &sim_model_ili9341, 240, 320, 240, 320, 0, 0, true, true, false, false, true, false},
+    {"ili9488-320x480", &sim_model_ili9488, 320, 480, 320, 480, 0, 0, true, true, false, false, true, false},
+    {"st7735s-128x128", &sim_model_st7735s, 128, 128, 132, 132, 2, 1, false, true, false, false, true, false},
+    {"st7735s-128x160", &sim_model_st7735s, 128, 160, 132, 162, 2, 1, false, true, false, false, true, false},
+    {"st7735s-80x160", &sim_model_st7735s, 80, 160, 132, 162, 26, 1, false, true, true, false, true, false},
+    {"ssd1351-128x128", &sim_model_ssd1351, 128, 128, 128, 128, 0, 0, false, false, false, false, false, false},
+    {"ssd0323-128x64", &sim_model_ssd0323, 128, 64, 128, 80, 0, 0, false, false, false, false, false, false},
+    {"ssd1306-128x64", &sim_model_ssd1306, 128, 64, 128, 64, 0, 0, true, false, false, false, false, false},
+    {"ssd1306-128x32", &sim_model_ssd1306, 128, 32, 128, 64, 0, 0, true, false, false, false, false, true},
+    {"ssd1306-72x40", &sim_model_ssd1306, 72, 40, 128, 64, 28, 0, true, false, false, false, false, false},
+    {"ssd1309-128x64", &sim_model_ssd1309, 128, 64, 128, 64, 0, 0, true, false, false, false, false, false},
+    {"sh1106-128x64", &sim_model_sh1106, 128, 64, 132, 64, 2, 0, true, false, false, false, false, false},
 };
 
 static const char virtual_name[] = "virtual";

@@ -14,6 +14,7 @@ struct sim_command;
 
 struct sim_model {
     const char *controller;
+    bool pages;                     /* a frame consists of several memory writes, with commands between them */
     uint32_t write_hz;              /* datasheet's limit */
     uint32_t reset_pulse_ns;        /* shortest */
     uint32_t reset_wait_ns;         /* from its end to the first byte */
@@ -25,7 +26,7 @@ struct sim_model {
 };
 
 extern const struct sim_model sim_model_st7789, sim_model_gc9a01, sim_model_ili9341, sim_model_ili9488,
-    sim_model_st7735s, sim_model_ssd1351, sim_model_ssd0323;
+    sim_model_st7735s, sim_model_ssd1351, sim_model_ssd0323, sim_model_ssd1306, sim_model_ssd1309, sim_model_sh1106;
 
 /* A glass: how it is bonded to its controller and which way its colours are. */
 struct sim_glass {
@@ -39,6 +40,7 @@ struct sim_glass {
     bool complement;    /* IPS: shows a stored value's complement until it is inverted */
     bool round;
     bool backlit;
+    bool in_order; /* one bit: COM lines are bonded in their order, not at alternating sides */
 };
 
 /* Finds the glass of a panel. NULL: there is none. */
@@ -92,6 +94,19 @@ struct sim_ssd {
     uint32_t bits, bit_count;
 };
 
+/* The state of a controller of one bit a pixel, whose memory consists of pages. */
+struct sim_page {
+    const struct sim_command *command; /* the last one */
+    bool parameter_wanted;
+    bool refused; /* it is locked, and its parameter has no effect */
+    bool on, powered, locked;
+    bool remap, from_last; /* columns, COM lines from the last one */
+    bool inverse;
+    uint8_t mode; /* A4h, A5h */
+    uint8_t com_pins, mux, start, offset;
+    uint8_t page, column; /* of the next byte */
+};
+
 struct sim {
     const struct board *board;
     struct sim_glass glass;
@@ -99,6 +114,7 @@ struct sim {
     union {
         struct sim_dbi dbi;
         struct sim_ssd ssd;
+        struct sim_page page;
     } u;
 
     uint64_t time_ns;

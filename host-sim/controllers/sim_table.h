@@ -1,7 +1,8 @@
 /*
- * sim_table: what may be sent to a display controller. dbi_table.c and ssd_table.c hold one entry a command and one
- * line a field of its parameters, each from the controller's data sheet; the models refuse whatever is not in there. So
- * a new command of hal/panel needs its entry here, and a field that changes what is seen needs the model's code, too.
+ * sim_table: what may be sent to a display controller. dbi_table.c, ssd_table.c and page_table.c hold one entry a
+ * command and one line a field of its parameters, each from the controller's data sheet; the models refuse whatever is
+ * not in there. So a new command of hal/panel needs its entry here, and a field that changes what is seen needs the
+ * model's code, too.
  *
  *   - A bit that no field covers must be 0: the data sheet prints it as 0 or as "-", or the model does not follow it.
  *   - A field takes the values least .. most of (parameter & bits).
@@ -57,7 +58,7 @@ struct sim_table {
 
 /* Commands that all controllers of the MIPI display command set share; then those of each controller. */
 extern const struct sim_table sim_table_dbi, sim_table_st7789, sim_table_gc9a01, sim_table_ili9341, sim_table_ili9488,
-    sim_table_st7735s, sim_table_ssd1351, sim_table_ssd0323;
+    sim_table_st7735s, sim_table_ssd1351, sim_table_ssd0323, sim_table_ssd1306, sim_table_ssd1309, sim_table_sh1106;
 
 /* Finds a command. NULL: there is none of this code. */
 const struct sim_command *sim_table_find(const struct sim_table *table, uint8_t code);

@@ -164,7 +164,7 @@ static void take_command(struct wire *w, const uint8_t *byte)
 {
     w->before = *w->sim;
     w->hal.ops->bus_write(w->hal.context, HAL_COMMAND, byte, 1);
-    w->run_pixels = w->sim->counters.pixels;
+    w->run_pixels = w->sim->glass.model->pages ? w->run_pixels : w->sim->counters.pixels;
     look(w);
 }
 

@@ -166,7 +166,7 @@ static void every_panel_shows_the_exact_picture_in_every_rotation_and_format(voi
     (void)state;
     for (uint32_t i = 0; i < panel_count; i++) {
         for (unsigned rotation = 0; rotation < 4; rotation++) {
-            for (unsigned format = PANEL_RGB565; format <= PANEL_GREY4; format++) {
+            for (unsigned format = PANEL_RGB565; format < PANEL_FORMATS; format++) {
                 if (panel_list[i]->formats & PANEL_FORMAT_BIT(format)) {
                     show_sequence(panel_list[i], rotation, format, 60, PLAIN);
                 }
@@ -193,6 +193,7 @@ static void any_number_of_lines_at_a_time_will_do(void **state)
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
         for (unsigned rotation = 0; rotation < 4; rotation++) {
             show_sequence(&panel_ssd0323_128x64, rotation, PANEL_GREY4, lines[i], PLAIN);
+            show_sequence(&panel_sh1106_128x64, rotation, PANEL_MONO_DITHER, lines[i], PLAIN);
         }
         show_sequence(&panel_st7789_135x240, PANEL_R90, PANEL_RGB565, lines[i], PLAIN);
         show_sequence(&panel_st7735s_80x160, PANEL_R0, PANEL_RGB444, lines[i], PLAIN);
@@ -250,6 +251,7 @@ static void no_buffer_is_touched_before_it_is_sent(void **state)
         show_sequence(&panel_st7735s_80x160, rotation, PANEL_RGB666, 20, SPIED);
         show_sequence(&panel_ssd1351_128x128, rotation, PANEL_RGB565, 16, SPIED);
         show_sequence(&panel_ssd0323_128x64, rotation, PANEL_GREY4, 5, SPIED);
+        show_sequence(&panel_ssd1306_128x64, rotation, PANEL_MONO_DITHER, 5, SPIED);
     }
 }
 

@@ -36,7 +36,7 @@ static void kit_open(struct kit *kit, const struct panel *panel)
     plug(&kit->bus);
     const bool rgb565 = (panel->formats & PANEL_FORMAT_BIT(PANEL_RGB565)) != 0;
     const bool rgb666 = (panel->formats & PANEL_FORMAT_BIT(PANEL_RGB666)) != 0;
-    const uint8_t format = rgb565 ? PANEL_RGB565 : rgb666 ? PANEL_RGB666 : PANEL_GREY4;
+    const uint8_t format = rgb565 ? PANEL_RGB565 : rgb666 ? PANEL_RGB666 : (uint8_t)__builtin_ctz(panel->formats);
     const struct panel_config config = {panel, PANEL_R0, format, 1000000, kit->scratch, sizeof kit->scratch};
     assert_int_equal(panel_open(&kit->driver, &kit->bus.hal, &config), 0);
 }
@@ -431,6 +431,20 @@ static const struct wrong {
     WRONG(panel_ssd0323_128x64, 0xA0, 0x5A),              /* A[3] */
     WRONG(panel_ssd0323_128x64, 0xA1, 0x50),              /* start line 80 */
     WRONG(panel_ssd0323_128x64, 0xA8, 0x0E),              /* 15 lines */
+    WRONG(panel_ssd1306_128x64, 0x20, 0x00),              /* horizontal addressing is not followed */
+    WRONG(panel_ssd1306_128x64, 0x20, 0x03),              /* invalid */
+    WRONG(panel_ssd1306_128x64, 0x8D, 0x04),              /* A[4] must be 1 */
+    WRONG(panel_ssd1306_128x64, 0x8D, 0x95),              /* A[7] and A[0] */
+    WRONG(panel_ssd1306_128x64, 0xA8, 0x0E),              /* 15 lines */
+    WRONG(panel_ssd1306_128x64, 0xD3, 0x40),              /* offset 64 */
+    WRONG(panel_ssd1306_128x64, 0xD9, 0xF0),              /* phase 1: 0 is invalid */
+    WRONG(panel_ssd1306_128x64, 0xDA, 0x10),              /* A[1] must be 1 */
+    WRONG(panel_ssd1306_128x64, 0xDA, 0x32),              /* A[5]: sides exchanged */
+    WRONG(panel_ssd1306_128x64, 0xDB, 0x40),              /* not in the table of VCOMH */
+    WRONG(panel_ssd1309_128x64, 0xFD, 0x13),              /* A[0] */
+    WRONG(panel_ssd1309_128x64, 0xD9, 0x0F),              /* phase 2: 0 is invalid */
+    WRONG(panel_sh1106_128x64, 0xAD, 0x0B),               /* 8Ah or 8Bh */
+    WRONG(panel_sh1106_128x64, 0xDA, 0x00),               /* D1 must be 1 */
     WRONG(panel_ssd0323_128x64, 0xB8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x75),
 };
 
@@ -540,7 +554,8 @@ static const struct {
     {&panel_st7789_240x240, &sim_table_st7789},   {&panel_gc9a01_240x240, &sim_table_gc9a01},
     {&panel_ili9341_240x320, &sim_table_ili9341}, {&panel_ili9488_320x480, &sim_table_ili9488},
     {&panel_st7735s_128x160, &sim_table_st7735s}, {&panel_ssd1351_128x128, &sim_table_ssd1351},
-    {&panel_ssd0323_128x64, &sim_table_ssd0323},
+    {&panel_ssd0323_128x64, &sim_table_ssd0323},  {&panel_ssd1306_128x64, &sim_table_ssd1306},
+    {&panel_ssd1309_128x64, &sim_table_ssd1309},  {&panel_sh1106_128x64, &sim_table_sh1106},
 };
 
 /* Parameters that the table allows: the lowest value of each field, or the only ones. */

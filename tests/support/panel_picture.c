@@ -6,6 +6,8 @@
 
 #include "panel_picture.h"
 
+#include "blue_noise.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -72,8 +74,13 @@ static void expect_pixel(unsigned value, unsigned format, uint32_t x, uint32_t y
         rgb[1] = stretch(g, 6);
         rgb[2] = stretch(b, 5);
     }
+    const double luma = floor((77.0 * rgb[0] + 150.0 * rgb[1] + 29.0 * rgb[2]) / 256);
+    if (format == PANEL_MONO_DITHER || format == PANEL_MONO_THRESHOLD) {
+        const double share = format == PANEL_MONO_DITHER ? pow(luma / 255, 2) : luma / 255;
+        const double least = format == PANEL_MONO_DITHER ? (blue_noise_rank(x, y) + 0.5) / 64 : 0.5;
+        memset(rgb, share > least ? 255 : 0, 3);
+    }
     if (format == PANEL_GREY4) {
-        double luma = floor((77.0 * rgb[0] + 150.0 * rgb[1] + 29.0 * rgb[2]) / 256);
         double level = luma * 15 / 255;
         double up = level - floor(level) > threshold(x, y) ? 1 : 0;
         rgb[0] = rgb[1] = rgb[2] = (uint8_t)((floor(level) + up) * 17);

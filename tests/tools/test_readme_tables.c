@@ -118,9 +118,12 @@ static struct measured measure(const struct board *board)
     const uint64_t before = sim_counters(sim).bus_ns;
     assert_int_equal(picture_draw(&d, picture, board->band_height), 0);
     const uint64_t ns = sim_counters(sim).bus_ns - before;
-    const bool ssd = strncmp(board->panel->name, "ssd", 3) == 0;
+    const bool ssd = strncmp(board->panel->name, "ssd", 3) == 0, pages = sim->glass.model->pages;
+    const uint8_t mirrors = (uint8_t)(sim->u.page.remap | sim->u.page.from_last << 3);
     const struct measured m = {(uint32_t)d.clock_hz, (uint32_t)((ns + 999) / 1000),
-                               ssd ? sim->u.ssd.remap : sim->u.dbi.madctl};
+                               pages ? mirrors
+                               : ssd ? sim->u.ssd.remap
+                                     : sim->u.dbi.madctl};
     sim_close(sim);
     return m;
 }
@@ -144,9 +147,10 @@ static void boards_are_all_there(void **state)
 }
 
 /*
- * The rotation byte that each kit starts with (MADCTL, or the remap command of SSD controllers), and the maker's
- * program from which the orientation is taken. A picture that a program turns by PIL's rotation=90 or numpy's rot90 is
- * turned counter-clockwise: the byte here has the same effect on the picture without that.
+ * The rotation byte that each kit starts with (MADCTL, or the remap command of SSD controllers; one bit: 01h for A1h,
+ * 08h for C8h), and the maker's program from which the orientation is taken. A picture that a program turns by PIL's
+ * rotation=90 or numpy's rot90 is turned counter-clockwise: the byte here has the same effect on the picture without
+ * that.
  */
 #define OWN_TOP "the controller's own top: a bare module has no other"
 static const struct {
@@ -206,8 +210,7 @@ static void orientations_are_those_of_the_makers(void **state)
         }
         if (is_kit(board)) {
             add(&row, "| `%s` | %02Xh | %s", board->name, m.rotation_byte, source != NULL ? source : "");
-            add(&row, "%s", source != NULL ? " |" : "");
-            count += missing(&row);
+            count += missing_with(&row, source != NULL ? " |\n" : "");
         }
     }
     assert_int_equal(known, sizeof orientations / sizeof orientations[0]);
@@ -217,7 +220,7 @@ static void orientations_are_those_of_the_makers(void **state)
 static void panels_are_all_there(void **state)
 {
     (void)state;
-    static const char *const formats[] = {"RGB565", "RGB666", "RGB444", "16 greys"};
+    static const char *const formats[] = {"RGB565", "RGB666", "RGB444", "16 greys", "1 bit"};
     unsigned count = 0;
     for (uint32_t i = 0; i < panel_count; i++) {
         const struct panel *panel = panel_list[i];

@@ -171,8 +171,9 @@ static void scratch_memory_is_halved_and_may_be_tiny(void **state)
         assert_int_equal(start(cases[i].controller, 0, cases[i].format, cases[i].rotation, cases[i].bytes),
                          cases[i].status);
         assert_int_equal(d.half_bytes, cases[i].half);
-        assert_int_equal(d.pair_lines, cases[i].controller == &two && cases[i].rotation % 2 == 1);
-        if (cases[i].half > 0 && !d.pair_lines && cases[i].format != PANEL_GREY4) {
+        assert_int_equal(d.share_y,
+                         cases[i].format == PANEL_GREY4 && cases[i].controller == &two && cases[i].rotation % 2 == 1);
+        if (cases[i].half > 0 && cases[i].format != PANEL_GREY4) {
             bit_count = 0;
             send_window(2, 1, 5, 2);
             for (uint32_t k = 0; k < 10; k++) {

@@ -16,7 +16,7 @@
 static const struct {
     const char *panel, *controller;
     unsigned width, height, ram_width, ram_height, left, top;
-    const char *flags; /* m mirrored, b bgr, c complement, r round, l backlit */
+    const char *flags; /* m mirrored, b bgr, c complement, r round, l backlit, o in order */
 } known[] = {
     {"st7789-240x240", "ST7789", 240, 240, 240, 320, 0, 0, "cl"},
     {"st7789-135x240", "ST7789", 135, 240, 240, 320, 52, 40, "cl"},
@@ -31,6 +31,11 @@ static const struct {
     {"st7735s-80x160", "ST7735S", 80, 160, 132, 162, 26, 1, "bcl"},
     {"ssd1351-128x128", "SSD1351", 128, 128, 128, 128, 0, 0, ""},
     {"ssd0323-128x64", "SSD0323", 128, 64, 128, 80, 0, 0, ""},
+    {"ssd1306-128x64", "SSD1306", 128, 64, 128, 64, 0, 0, "m"},
+    {"ssd1306-128x32", "SSD1306", 128, 32, 128, 64, 0, 0, "mo"},
+    {"ssd1306-72x40", "SSD1306", 72, 40, 128, 64, 28, 0, "m"},
+    {"ssd1309-128x64", "SSD1309", 128, 64, 128, 64, 0, 0, "m"},
+    {"sh1106-128x64", "SH1106", 128, 64, 132, 64, 2, 0, "m"},
 };
 
 static void a_glass_is_found_by_its_panel(void **state)
@@ -50,7 +55,7 @@ static void a_glass_is_found_by_its_panel(void **state)
         const char *const f = known[i].flags;
         assert_true(g->mirrored == (strchr(f, 'm') != NULL) && g->bgr == (strchr(f, 'b') != NULL));
         assert_true(g->complement == (strchr(f, 'c') != NULL) && g->round == (strchr(f, 'r') != NULL));
-        assert_true(g->backlit == (strchr(f, 'l') != NULL));
+        assert_true(g->backlit == (strchr(f, 'l') != NULL) && g->in_order == (strchr(f, 'o') != NULL));
         assert_int_equal(made.width, 4711);
     }
 }
