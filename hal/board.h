@@ -55,12 +55,14 @@ struct board {
     const char *title;  /* one line for people */
     const char *pinout; /* address of the public page with the wiring */
     const struct panel *panel;
-    uint8_t rotation;        /* enum panel_rotation: as users hold the kit */
-    uint8_t format;          /* enum panel_format on the wire */
-    uint8_t spi_unit;        /* enum board_spi_unit */
-    uint8_t spi_mode;        /* 0; 3 for modules without chip select */
-    uint8_t spi_bus;         /* number of the SPI unit, or of /dev/spidevN */
-    uint8_t spi_select;      /* /dev/spidev.N */
+    uint8_t rotation;    /* enum panel_rotation: as users hold the kit */
+    uint8_t format;      /* enum panel_format on the wire */
+    uint8_t spi_unit;    /* enum board_spi_unit */
+    uint8_t spi_mode;    /* 0; 3 for modules without chip select */
+    uint8_t spi_bus;     /* number of the SPI unit, or of /dev/spidevN; of /dev/i2c-N */
+    uint8_t i2c_address; /* not 0: the bus is I2C, and the panel has this address, of 7 bits. There is no D/C line: a
+                            control byte at the start of each message tells it. spi_hz is the clock */
+    uint8_t spi_select;  /* /dev/spidev.N */
     const char *gpio_labels; /* Linux: labels of the chips, separated by spaces, whose line n is "GPIOn" where lines
                                 have no names; or NULL */
     uint32_t spi_hz;         /* full speed: what the kit's maker or its usual driver sets */

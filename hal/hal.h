@@ -1,5 +1,7 @@
 /*
- * hal: what a display kit must be able to do: one SPI bus with its D/C line, a few pins, a clock, buttons.
+ * hal: what a display kit must be able to do: one SPI bus with its D/C line, a few pins, a clock, buttons. In the place
+ * of SPI there may be I2C (board->i2c_address): each bus_write is then one or more messages, whose control byte, 00h
+ * for commands and 40h for data, tells what D/C would.
  *
  * A backend is a const struct hal_ops and a context of its own. A kit is opened with a struct board (board.h).
  * Everything above (panel.h) uses the kit only through the functions below.

@@ -193,7 +193,7 @@ static int measure_bus(self_test_put *put, struct runner *runner)
     const uint32_t height = runner->driver.height,
                    lines = runner->renderer.config.band_height >> runner->renderer.samples_log2,
                    from = hal->ops->time_us(hal->context);
-    if (!board->pins.dc.wired) { /* a display of the kernel, which has no bus of ours */
+    if (!board->pins.dc.wired && board->i2c_address == 0) { /* a display of the kernel, which has no bus of ours */
         return HAL_OK;
     }
     if (sender->ops->forget != NULL) {

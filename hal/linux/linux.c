@@ -6,6 +6,7 @@
 #include "fail.h"
 #include "lines.h"
 #include "sender.h"
+#include "i2c.h"
 #include "spi.h"
 
 #include <errno.h>
@@ -75,7 +76,7 @@ static int open_lines(struct linux_hal *h)
 {
     const struct board_pins *pins = &h->board->pins;
     const struct linux_gpio_want edges = {.use = pins->tearing.active_low ? GPIO_IN_BOTH : GPIO_IN_RISING};
-    if (!pins->dc.wired) {
+    if (!pins->dc.wired && !h->i2c) {
         return linux_fail(h->error, HAL_EINVAL, "board %s has no D/C line", h->board->name);
     }
     int status = open_output(h, &h->dc, &pins->dc, false);
@@ -114,12 +115,14 @@ static int linux_open(void *context, const struct board *board)
     memset(h, 0, sizeof *h);
     h->spi_path = path;
     h->board = board;
-    h->bufsiz = bufsiz != 0 ? bufsiz : 4096; /* the kernel's default */
+    h->i2c = board->i2c_address != 0;
+    h->bufsiz = h->i2c ? LINUX_I2C_BYTES : bufsiz != 0 ? bufsiz : 4096; /* the kernel's default */
     h->dc_now = HAL_COMMAND;
     h->opened = true;
     pthread_mutex_init(&h->mutex, NULL);
     pthread_cond_init(&h->changed, NULL);
-    int status = linux_spi_open(&h->spi, board, path, h->error);
+    int status =
+        h->i2c ? linux_i2c_open(&h->spi, board, path, h->error) : linux_spi_open(&h->spi, board, path, h->error);
     status = status < 0 ? status : open_lines(h);
     status = status < 0 ? status : open_buttons(h);
     status = status < 0 ? status : linux_sender_start(h);
@@ -140,6 +143,10 @@ static int32_t linux_bus_clock(void *context, uint32_t hz)
     }
     if (hz == 0) {
         return linux_fail(h->error, HAL_EINVAL, "%s: a clock of 0 Hz was asked for", h->spi.name);
+    }
+    if (h->i2c) { /* the device tree's; the board says what it should be */
+        h->spi.clock_hz = hz < h->board->spi_hz ? hz : h->board->spi_hz;
+        return (int32_t)h->spi.clock_hz;
     }
     const int32_t got = linux_spi_clock(&h->spi, hz, h->error);
     h->best_ns = h->best_bytes = 0;

@@ -21,8 +21,8 @@ struct linux_spi_look {
 };
 
 /*
- * Opens the board's SPI device (or path, if not NULL), sets mode and clock as linux_ops would, and closes it. Returns
- * 0, or the error that open would return, with its line in error.
+ * Opens the board's SPI or I2C device (or path, if not NULL), sets mode and clock as linux_ops would, and closes it.
+ * Returns 0, or the error that open would return, with its line in error.
  */
 int linux_spi_look(const struct board *board, const char *path, struct linux_spi_look *look,
                    char error[LINUX_ERROR_SIZE]);

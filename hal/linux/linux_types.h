@@ -54,6 +54,7 @@ struct linux_hal {
     struct linux_button buttons[BOARD_BUTTONS_MAX];
     int dc_now; /* enum hal_dc on the line; -1: not known */
 
+    bool i2c; /* the bus is I2C, see i2c.h */
     bool opened, threaded;
     pthread_t thread;
     pthread_mutex_t mutex; /* of the members below */

@@ -3,6 +3,7 @@
 #include "sender.h"
 
 #include "fail.h"
+#include "i2c.h"
 #include "lines.h"
 #include "spi.h"
 
@@ -30,7 +31,8 @@ int linux_sender_dc(struct linux_hal *h, enum hal_dc dc)
     if (h->dc_now == (int)dc) {
         return HAL_OK;
     }
-    const int status = linux_gpio_set(&h->dc, (dc == HAL_DATA) != h->dc.active_low);
+    const bool wired = !h->i2c; /* an I2C message tells it */
+    const int status = wired ? linux_gpio_set(&h->dc, (dc == HAL_DATA) != h->dc.active_low) : 0;
     h->dc_now = status == 0 ? (int)dc : -1;
     return status == 0
                ? HAL_OK
@@ -49,7 +51,9 @@ static int send_piece(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes,
     const bool moves = h->dc_now != (int)dc;
     const uint64_t start_ns = now_ns();
     int status = linux_sender_dc(h, dc);
-    status = status < 0 ? status : linux_spi_send(&h->spi, bytes, n, h->error);
+    if (status == HAL_OK) {
+        status = h->i2c ? linux_i2c_send(&h->spi, dc, bytes, n, h->error) : linux_spi_send(&h->spi, bytes, n, h->error);
+    }
     const uint64_t took_ns = now_ns() - start_ns;
     if (status < 0 || h->spi.clock_hz == 0) {
         return status;

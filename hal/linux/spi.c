@@ -3,6 +3,7 @@
 #include "spi.h"
 
 #include "fail.h"
+#include "i2c.h"
 #include "hal.h"
 
 #include <errno.h>
@@ -153,10 +154,16 @@ int linux_spi_look(const struct board *board, const char *path, struct linux_spi
     error[0] = 0;
     look->asked_hz = board->spi_hz;
     look->got_hz = 0;
-    const int opened = linux_spi_open(&spi, board, path, error);
+    const bool i2c = board->i2c_address != 0;
+    const int opened = i2c ? linux_i2c_open(&spi, board, path, error) : linux_spi_open(&spi, board, path, error);
     memcpy(look->path, spi.name, sizeof look->path);
     if (opened < 0) {
         return opened;
+    }
+    if (i2c) {
+        close(spi.descriptor);
+        look->got_hz = board->spi_hz;
+        return HAL_OK;
     }
     const int32_t got = linux_spi_clock(&spi, board->spi_hz, error);
     close(spi.descriptor);

@@ -14,16 +14,16 @@
 static void check_clock(struct sim *sim)
 {
     const struct sim_model *model = sim->glass.model;
+    const uint32_t limit_hz = sim->board->i2c_address != 0 ? model->i2c_hz : model->write_hz;
     sim->clock_checked = true;
-    if (sim->counters.clock_hz <= model->write_hz) {
+    if (sim->counters.clock_hz <= limit_hz) {
         return;
     }
     if (sim->board->over_limit) {
         snprintf(sim->note, sizeof sim->note, "%s: clock %u Hz is above the datasheet's %u Hz, as usual on this kit",
-                 model->controller, sim->counters.clock_hz, model->write_hz);
+                 model->controller, sim->counters.clock_hz, limit_hz);
     } else {
-        sim_complain(sim, SIM_OVER_CLOCK, "clock %u Hz is above the limit of %u Hz", sim->counters.clock_hz,
-                     model->write_hz);
+        sim_complain(sim, SIM_OVER_CLOCK, "clock %u Hz is above the limit of %u Hz", sim->counters.clock_hz, limit_hz);
     }
 }
 
@@ -39,7 +39,7 @@ static void check_reset(struct sim *sim)
     sim->reset_done = true;
 }
 
-static void byte_arrives(struct sim *sim, enum hal_dc dc, uint8_t byte)
+void sim_take_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
 {
     if (!sim->clock_checked) {
         check_clock(sim);
@@ -72,7 +72,7 @@ void sim_bit(struct sim *sim, enum hal_dc dc, unsigned bit)
     sim->shift_dc = dc;
     if (++sim->shift_count == 8) {
         sim->shift_count = 0;
-        byte_arrives(sim, dc, sim->shift); /* the controllers look at D/C with the last bit */
+        sim_take_byte(sim, dc, sim->shift); /* the controllers look at D/C with the last bit */
     }
 }
 
@@ -93,9 +93,23 @@ static void send_bytes(struct sim *sim, enum hal_dc dc, const uint8_t *bytes, si
             continue;
         }
         time_passes(sim, 16);
-        byte_arrives(sim, dc, bytes[i]);
+        sim_take_byte(sim, dc, bytes[i]);
     }
     time_passes(sim, spi_clock_pause(sim->board, (uint32_t)n));
+}
+
+/* A byte and its acknowledgement take 9 clocks, start and stop one each. */
+static int send_message(struct sim *sim, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    const uint8_t head[2] = {(uint8_t)(sim->board->i2c_address << 1), dc == HAL_DATA ? 0x40 : 0x00};
+    bool acknowledged = true;
+    time_passes(sim, 4);
+    sim_i2c_start(sim);
+    for (size_t i = 0; i < n + 2 && acknowledged; i++) {
+        time_passes(sim, 18);
+        acknowledged = sim_i2c_byte(sim, i < 2 ? head[i] : bytes[i - 2]);
+    }
+    return acknowledged ? HAL_OK : HAL_EIO;
 }
 
 /* ---- operations --------------------------------------------------------------------------------- */
@@ -120,7 +134,8 @@ static int sim_bus_open(void *context, const struct board *board)
 static int32_t sim_bus_clock(void *context, uint32_t hz)
 {
     struct sim *sim = context;
-    const uint32_t got = spi_clock_of(sim->board, hz);
+    const uint32_t i2c_hz = hz < sim->board->spi_hz ? hz : sim->board->spi_hz;
+    const uint32_t got = sim->board->i2c_address != 0 ? i2c_hz : spi_clock_of(sim->board, hz);
     if (got == 0 || fault_strikes(sim, SIM_FAULT_CLOCK)) {
         return HAL_EINVAL;
     }
@@ -139,6 +154,9 @@ static int sim_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, si
     sim->counters.writes++;
     if (fault_strikes(sim, SIM_FAULT_WRITE)) {
         return HAL_EIO;
+    }
+    if (sim->board->i2c_address != 0) {
+        return send_message(sim, dc, bytes, n);
     }
     if (fault_strikes(sim, SIM_FAULT_SHORT_WRITE)) {
         send_bytes(sim, dc, bytes, n / 2);

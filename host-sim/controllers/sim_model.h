@@ -16,6 +16,7 @@ struct sim_model {
     const char *controller;
     bool pages;                     /* a frame consists of several memory writes, with commands between them */
     uint32_t write_hz;              /* datasheet's limit */
+    uint32_t i2c_hz;                /* ... on an I2C bus; 0: it has none */
     uint32_t reset_pulse_ns;        /* shortest */
     uint32_t reset_wait_ns;         /* from its end to the first byte */
     void (*reset)(struct sim *sim); /* registers as after power-on */
@@ -107,6 +108,15 @@ struct sim_page {
     uint8_t page, column; /* of the next byte */
 };
 
+enum sim_i2c_byte { SIM_I2C_ADDRESS, SIM_I2C_CONTROL, SIM_I2C_BYTE, SIM_I2C_STOP };
+
+/* A message on an I2C bus. */
+struct sim_i2c {
+    enum sim_i2c_byte expects;
+    enum hal_dc dc;
+    bool continued; /* another control byte follows the next byte */
+};
+
 struct sim {
     const struct board *board;
     struct sim_glass glass;
@@ -124,6 +134,7 @@ struct sim {
     uint64_t reset_fell_ns, reset_ready_ns;
     uint32_t buttons;
 
+    struct sim_i2c i2c;
     uint8_t shift; /* bits of a byte that is not complete */
     uint8_t shift_count;
     enum hal_dc shift_dc;
@@ -140,6 +151,13 @@ struct sim {
 
 __attribute__((format(printf, 3, 4))) void sim_complain(struct sim *sim, enum sim_complaint_kind kind,
                                                         const char *format, ...);
+
+/* Gives the controller a byte, after the checks of clock and reset. */
+void sim_take_byte(struct sim *sim, enum hal_dc dc, uint8_t byte);
+
+/* A message begins; one of its bytes arrives. Returns whether the controller acknowledges it. */
+void sim_i2c_start(struct sim *sim);
+bool sim_i2c_byte(struct sim *sim, uint8_t byte);
 
 /* Has every place of the glass been written to since the last reset? */
 bool sim_frame_complete(const struct sim *sim);

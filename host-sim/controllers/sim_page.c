@@ -236,7 +236,9 @@ static bool written(const struct sim *sim, uint32_t x, uint32_t y)
     return cell(sim, x, y)->written != 0;
 }
 
-#define PAGE_MODEL .pages = true, .reset = reset, .byte = take_byte, .shows = shows, .look = look, .written = written
+/* Fast mode. */
+#define PAGE_MODEL                                                                                                     \
+    .pages = true, .i2c_hz = 400000, .reset = reset, .byte = take_byte, .shows = shows, .look = look, .written = written
 
 /* SSD1306 8.5 and 8.9, table 13-4: 3 us low, 3 us high, cycle 100 ns; SSD1309 likewise. SH1106: 10 us, 2 us, 250 ns. */
 const struct sim_model sim_model_ssd1306 = {

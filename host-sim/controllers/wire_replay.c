@@ -168,16 +168,22 @@ static void take_command(struct wire *w, const uint8_t *byte)
     look(w);
 }
 
+/* Is called after every byte of pixels. */
+static void data_came(struct wire *w)
+{
+    const uint64_t all = (uint64_t)w->sim->glass.width * w->sim->glass.height;
+    if (w->sim->counters.pixels - w->run_pixels >= all) {
+        frame_is_complete(w);
+    }
+}
+
 static void take_data(struct wire *w, const uint8_t *byte)
 {
     if (w->pending) { /* complete, and still dark when the next one comes */
         tell_frame(w, w->sim);
     }
     w->hal.ops->bus_write(w->hal.context, HAL_DATA, byte, 1);
-    const uint64_t all = (uint64_t)w->sim->glass.width * w->sim->glass.height;
-    if (w->sim->counters.pixels - w->run_pixels >= all) {
-        frame_is_complete(w);
-    }
+    data_came(w);
 }
 
 static void take_bytes(struct wire *w, const struct wire_event *event, enum hal_dc dc)
@@ -191,6 +197,29 @@ static void take_bytes(struct wire *w, const struct wire_event *event, enum hal_
         } else {
             take_data(w, &event->bytes[i]);
         }
+    }
+}
+
+/* A message on the I2C bus. The picture before it is kept for look(): it may turn the display off. */
+static void take_message(struct wire *w, const struct wire_event *event)
+{
+    if (!w->was_byte) {
+        first_byte(w);
+    }
+    w->hal.ops->bus_clock(w->hal.context, event->got_hz);
+    sim_i2c_start(w->sim);
+    sim_i2c_byte(w->sim, (uint8_t)(event->number << 1));
+    for (size_t i = 0; i < event->count; i++) {
+        const struct sim_i2c *i2c = &w->sim->i2c;
+        if (w->pending && i2c->expects == SIM_I2C_BYTE && i2c->dc == HAL_DATA) {
+            tell_frame(w, w->sim);
+        }
+        w->before = *w->sim;
+        sim_i2c_byte(w->sim, event->bytes[i]);
+        if (w->sim->counters.pixels != w->before.counters.pixels) {
+            data_came(w);
+        }
+        look(w);
     }
 }
 
@@ -360,6 +389,12 @@ int wire_replay_event(struct wire *w, const struct wire_event *event)
     case WIRE_READ:
         resolve(w);
         transfer(w, event);
+        break;
+    case WIRE_I2C:
+        resolve(w);
+        take_message(w, event);
+        w->sim->time_ns += event->end_ns - event->time_ns;
+        w->last_ns = event->end_ns;
         break;
     case WIRE_LOST:
         reject_at(w, "%u events were lost", (unsigned)event->number);

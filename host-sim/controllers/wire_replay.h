@@ -7,7 +7,7 @@
 
 #include "board.h"
 
-enum wire_kind { WIRE_NAME, WIRE_LEVEL, WIRE_SPI, WIRE_READ, WIRE_LOST, WIRE_NOTE };
+enum wire_kind { WIRE_NAME, WIRE_LEVEL, WIRE_SPI, WIRE_READ, WIRE_I2C, WIRE_LOST, WIRE_NOTE };
 
 enum wire_mode { WIRE_CPHA = 1, WIRE_CPOL = 2, WIRE_CS_HIGH = 4, WIRE_LSB_FIRST = 8, WIRE_NO_CS = 0x40 };
 
@@ -17,7 +17,7 @@ enum wire_mode { WIRE_CPHA = 1, WIRE_CPOL = 2, WIRE_CS_HIGH = 4, WIRE_LSB_FIRST 
 struct wire_event {
     enum wire_kind kind;
     uint64_t time_ns, end_ns;
-    uint32_t number; /* bit of a name, count of lost ones */
+    uint32_t number; /* bit of a name, count of lost ones, address on an I2C bus */
     uint64_t levels, levels_at_end;
     uint32_t select; /* or WIRE_NO_SELECT */
     uint32_t asked_hz, got_hz;

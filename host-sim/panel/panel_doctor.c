@@ -57,6 +57,13 @@ static void check_device(struct doctor *doctor, const struct panel_kit *kit)
         tell(doctor, false, "%s", error);
         return;
     }
+    if (kit->board.i2c_address != 0) {
+        tell(doctor, true,
+             "%s: opens; address %02Xh; %u Hz are as fast as the display allows (Raspberry Pi: "
+             "dtparam=i2c_arm_baudrate=%u)",
+             look.path, kit->board.i2c_address, look.got_hz, look.got_hz);
+        return;
+    }
     tell(doctor, true, "%s: opens; mode %u", look.path, (unsigned)kit->board.spi_mode);
     const uint32_t limit = kit->board.panel->controller->write_hz;
     tell(doctor, true,

@@ -22,7 +22,7 @@ static bool is_usb_line(const char *line)
 
 bool panel_kit_has(const struct board *board)
 {
-    return board->pins.dc.wired && board->pins.dc.line != NULL;
+    return board->pins.data.wired && board->pins.data.line != NULL;
 }
 
 static int choose_board(const struct panel_wiring *w, const struct board **board)

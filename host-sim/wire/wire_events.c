@@ -95,9 +95,23 @@ static const char *read_transfer(char *rest, struct wire_event *event)
     return read_bytes(rest, event) ? NULL : "BYTES are not pairs of hexadecimal digits";
 }
 
+static const char *read_message(char *rest, struct wire_event *event)
+{
+    if (!next_u32(&rest, 16, &event->number) || event->number > 0x7F) {
+        return "ADDRESS is no hexadecimal number of 7 bits";
+    }
+    if (!next_u32(&rest, 10, &event->got_hz) || event->got_hz == 0) {
+        return "HZ is no clock";
+    }
+    if (!next_number(&rest, 10, UINT64_MAX, &event->end_ns) || event->end_ns < event->time_ns) {
+        return "END_TIME is no time, or before TIME";
+    }
+    return read_bytes(rest, event) ? NULL : "BYTES are not pairs of hexadecimal digits";
+}
+
 static const char *read_event(char *rest, struct wire_event *event)
 {
-    static const char *const kinds[] = {"name", "level", "spi", "read", "lost", "note"};
+    static const char *const kinds[] = {"name", "level", "spi", "read", "i2c", "lost", "note"};
     if (!next_number(&rest, 10, UINT64_MAX, &event->time_ns)) {
         return "TIME is no number of ns";
     }
@@ -118,6 +132,8 @@ static const char *read_event(char *rest, struct wire_event *event)
     case WIRE_SPI:
     case WIRE_READ:
         return read_transfer(rest, event);
+    case WIRE_I2C:
+        return read_message(rest, event);
     case WIRE_LOST:
         return next_u32(&rest, 10, &event->number) ? NULL : "COUNT is no number";
     case WIRE_NOTE:

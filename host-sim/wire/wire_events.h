@@ -15,6 +15,9 @@
  *                           LEVELS: all lines at the first and at the last bit. BYTES: hexadecimal, two digits each
  *   TIME read SELECT ASKED GOT MODE BITS LEVELS LEVELS_AT_END END_TIME BYTES
  *                           a transfer in which the panel sends: BYTES are its answer (or as many zeros)
+ *   TIME i2c ADDRESS HZ END_TIME BYTES
+ *                           a message on the I2C bus, from start to stop. ADDRESS: of 7 bits, hexadecimal. BYTES: what
+ *                           follows it, the control byte first
  *   TIME lost COUNT         events that were not recorded: the stream is worth nothing
  *   TIME note TEXT          anything else, for people; `frame` where a frame's last bit was out, see struct wire_config
  *

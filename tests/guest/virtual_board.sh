@@ -82,7 +82,7 @@ guest_build() {
     mkdir -p "${B:-build}/guest" && (flock 9 && build_board_module && build_usb_devices && build_usb_try) 9>"${B:-build}/guest/lock"
 }
 
-board_plug() { insmod "$(board_module)" "$@"; }
+board_plug() { modprobe -q i2c-dev && insmod "$(board_module)" "$@"; }
 
 board_do() { printf '%s\n' "$*" >/dev/virtual-board; }
 

@@ -138,9 +138,9 @@ static void boards_are_all_there(void **state)
         struct row row = {{0}, 0};
         add(&row, "| `%s` | %s | `%s` | %.4g%s | %u | %s |", board->name, board->title, board->panel->name,
             m.clock_hz / 1e6, board->over_limit ? " (!)" : "", (unsigned)(1000000 / m.frame_us),
-            board->pins.dc.line != NULL ? "simulator, Linux guest"
-            : board->pins.dc.wired      ? "simulator, emulated chip"
-                                        : "simulator");
+            board->pins.data.line != NULL ? "simulator, Linux guest"
+            : board->pins.data.wired      ? "simulator, emulated chip"
+                                          : "simulator");
         count += missing_with(&row, " "); /* one more column is for people */
     }
     assert_int_equal(count, 0);

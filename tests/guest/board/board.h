@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Dual MIT/GPL */
 /*
  * virtual_board: a Raspberry Pi's header as the kernel sees it, without the hardware. One GPIO chip, one SPI controller
- * with two chip selects (a spidev each), and /dev/virtual-board, from which the events of host-sim/wire/wire_events.h
+ * with two chip selects (a spidev each), one I2C controller (bus 1), and /dev/virtual-board, from which the events of host-sim/wire/wire_events.h
  * are read and into which faults are written.
  *
  * Parameters: label (of the GPIO chip), names=pi|old|none (of its lines), core_hz (what the SPI clock is divided from),
@@ -60,6 +60,10 @@ int board_gpio_command(const char *verb, char *rest);
 /* ---- board_spi.c ---- */
 int board_spi_init(struct device *parent);
 void board_spi_exit(void);
+
+/* ---- board_i2c.c ---- */
+int board_i2c_init(struct device *parent);
+void board_i2c_exit(void);
 int board_spi_command(const char *verb, char *rest);
 
 #endif

@@ -26,6 +26,7 @@ static void unplug(void)
     if (!xchg(&plugged, 0))
         return;
     board_log("%llu note unplug", board_now());
+    board_i2c_exit();
     board_spi_exit();
     board_gpio_exit();
 }
@@ -73,6 +74,7 @@ static int __init board_init(void)
     plugged = 1;
     status = board_gpio_init(&platform->dev);
     status = status ? status : board_spi_init(&platform->dev);
+    status = status ? status : board_i2c_init(&platform->dev);
     status = status ? status : misc_register(&misc);
     if (status) {
         unplug();

@@ -520,6 +520,41 @@ static void the_first_32_complaints_are_told_and_all_are_counted(void **state)
     assert_int_equal(wire_replay_complaints(wire), 40);
 }
 
+/* Pages of an SSD1306 whose last column is lit; AFh shows the frame that is complete by then. */
+static void a_frame_comes_over_i2c_page_by_page(void **state)
+{
+    (void)state;
+    static const uint8_t pump[] = {0x00, 0x8D, 0x14, 0xA1, 0xC8}, on[] = {0x00, 0xAF}, off[] = {0x00, 0xAE};
+    panel = panel_ssd1306_128x64;
+    board = (struct board){.name = "kit", .panel = &panel, .spi_hz = 400000, .i2c_address = 0x3C};
+    config.order = true;
+    wire = wire_replay_open(&config);
+    assert_non_null(wire);
+    struct wire_event event = {.kind = WIRE_I2C, .number = 0x3C, .got_hz = 400000, .time_ns = 1000000};
+    uint8_t page[130] = {0x40};
+    page[128] = 0xFF;
+#define TELL(message, n)                                                                                               \
+    (event.bytes = (message), event.count = (n), event.end_ns = event.time_ns + 1000,                                  \
+     assert_int_equal(wire_replay_event(wire, &event), 0), event.time_ns += 1000)
+    TELL(pump, sizeof pump);
+    for (unsigned i = 0; i < 8; i++) {
+        const uint8_t address[] = {0x00, (uint8_t)(0xB0 | i), 0x00, 0x10};
+        TELL(address, sizeof address);
+        TELL(page, 129);
+    }
+    expect("init at 1000 us; first frame at 1016 us; ");
+    TELL(on, sizeof on);
+    expect("display on at 1017 us; 0=000000,000000 ");
+    event.number = 0x3D;
+    TELL(off, sizeof off); /* somebody else's */
+    expect("");
+    event.number = 0x3C;
+    TELL(off, sizeof off);
+    expect("display off at 1019 us; ");
+    assert_int_equal(wire_replay_end(wire), 0);
+    assert_int_equal(wire_replay_complaints(wire), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -538,6 +573,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(lines_are_found_by_role_then_name_then_number, fresh, closed),
         cmocka_unit_test_setup_teardown(a_frame_that_fails_ends_the_replay, fresh, closed),
         cmocka_unit_test_setup_teardown(the_first_32_complaints_are_told_and_all_are_counted, fresh, closed),
+        cmocka_unit_test_setup_teardown(a_frame_comes_over_i2c_page_by_page, fresh, closed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -130,6 +130,21 @@ static void each_field_of_a_transfer_may_be_wrong(void **state)
     }
 }
 
+static void a_message_on_the_i2c_bus_has_an_address(void **state)
+{
+    (void)state;
+    assert_null(parse("5 i2c 3c 400000 9 00af"));
+    assert_int_equal(event.kind, WIRE_I2C);
+    assert_true(event.time_ns == 5 && event.end_ns == 9 && event.number == 0x3C && event.got_hz == 400000);
+    assert_int_equal(event.count, 2);
+    assert_memory_equal(event.bytes, "\x00\xAF", 2);
+    assert_string_equal(parse("5 i2c 80 400000 9 00"), "ADDRESS is no hexadecimal number of 7 bits");
+    assert_string_equal(parse("5 i2c x 400000 9 00"), "ADDRESS is no hexadecimal number of 7 bits");
+    assert_string_equal(parse("5 i2c 3c 0 9 00"), "HZ is no clock");
+    assert_string_equal(parse("5 i2c 3c 400000 4 00"), "END_TIME is no time, or before TIME");
+    assert_string_equal(parse("5 i2c 3c 400000 9 0"), "BYTES are not pairs of hexadecimal digits");
+}
+
 static void lost_events_are_counted_and_notes_are_text(void **state)
 {
     (void)state;
@@ -169,6 +184,7 @@ int main(void)
         cmocka_unit_test(levels_are_64_bits_in_hexadecimal),
         cmocka_unit_test(a_transfer_has_all_its_fields),
         cmocka_unit_test(each_field_of_a_transfer_may_be_wrong),
+        cmocka_unit_test(a_message_on_the_i2c_bus_has_an_address),
         cmocka_unit_test(lost_events_are_counted_and_notes_are_text),
         cmocka_unit_test(time_and_kind_come_first),
     };
