@@ -71,6 +71,8 @@ struct panel_controller {
     uint8_t rotation_bit_my;      /* ... that mirrors rows */
     uint8_t rotation_bit_mv;      /* ... that makes the address run along columns first */
     uint8_t rotation_bit_mx_pair; /* further bits to set together with mx (SSD0323: nibbles) */
+    uint8_t rotation_bit_bgr;     /* ... that makes red and blue change places; 0: there is one colour */
+    uint8_t invert[2];            /* commands without parameters: not inverted, inverted */
 
     uint8_t set_format;      /* COLMOD; 0: there is one format only */
     uint8_t format_value[3]; /* its parameter by enum panel_format; only colours have a choice */

@@ -35,8 +35,9 @@ static const uint8_t dbi_off[] = {
 #define DBI_COMMANDS                                                                                                   \
     .init_hz = 4000000, .reset_low_us = 100, .reset_high_us = 120000, .set_column = 0x2A, .set_row = 0x2B,             \
     .memory_write = 0x2C, .address_bytes = 2, .column_pixels = 1, .window_turns = true, .set_rotation = 0x36,          \
-    .rotation_bit_mx = MX, .rotation_bit_my = MY, .rotation_bit_mv = MV, .set_format = 0x3A, .on = dbi_on,             \
-    .on_bytes = sizeof dbi_on, .off = dbi_off, .off_bytes = sizeof dbi_off
+    .rotation_bit_mx = MX, .rotation_bit_my = MY, .rotation_bit_mv = MV, .rotation_bit_bgr = BGR,                      \
+    .invert = {0x20, 0x21}, .set_format = 0x3A, .on = dbi_on, .on_bytes = sizeof dbi_on, .off = dbi_off,               \
+    .off_bytes = sizeof dbi_off
 
 const struct panel_controller panel_st7789 = {
     .name = "ST7789",
@@ -136,6 +137,7 @@ const struct panel panel_st7789_240x240 = ST7789("st7789-240x240", 240, 240, 0, 
 const struct panel panel_st7789_135x240 = ST7789("st7789-135x240", 135, 240, 52, 40, st7789_init_narrow);
 const struct panel panel_st7789_240x320 = ST7789("st7789-240x320", 240, 320, 0, 0, st7789_init_tall);
 const struct panel panel_st7789_170x320 = ST7789("st7789-170x320", 170, 320, 35, 0, st7789_init_tall);
+const struct panel panel_st7789_172x320 = ST7789("st7789-172x320", 172, 320, 34, 0, st7789_init_tall);
 const struct panel panel_st7789_240x280 = ST7789("st7789-240x280", 240, 280, 0, 20, st7789_init_tall);
 
 /* ---- GC9A01 ------------------------------------------------------------------------------------- */

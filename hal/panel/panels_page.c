@@ -10,7 +10,7 @@ static const uint8_t page_off[] = {0xAE, 0};
 
 #define PAGE_COMMANDS                                                                                                  \
     .init_hz = 1000000, .reset_low_us = 100, .reset_high_us = 10000, .column_pixels = 1, .set_page = 0xB0,             \
-    .set_rotation = 0xA0, .rotation_bit_mx = 0x01, .set_scan = 0xC0, .rotation_bit_my = 0x08,                          \
+    .set_rotation = 0xA0, .rotation_bit_mx = 0x01, .set_scan = 0xC0, .rotation_bit_my = 0x08, .invert = {0xA6, 0xA7},  \
     .parameters_are_commands = true, .on = page_on, .on_bytes = sizeof page_on, .off = page_off,                       \
     .off_bytes = sizeof page_off
 

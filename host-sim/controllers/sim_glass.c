@@ -16,6 +16,7 @@ static const struct sim_glass glasses[] = {
     {"st7789-135x240", &sim_model_st7789, 135, 240, 240, 320, 52, 40, false, false, true, false, true, false},
     {"st7789-240x320", &sim_model_st7789, 240, 320, 240, 320, 0, 0, false, false, true, false, true, false},
     {"st7789-170x320", &sim_model_st7789, 170, 320, 240, 320, 35, 0, false, false, true, false, true, false},
+    {"st7789-172x320", &sim_model_st7789, 172, 320, 240, 320, 34, 0, false, false, true, false, true, false},
     {"st7789-240x280", &sim_model_st7789, 240, 280, 240, 320, 0, 20, false, false, true, false, true, false},
     {"gc9a01-240x240", &sim_model_gc9a01, 240, 240, 240, 240, 0, 0, true, true, true, true, true, false},
     {"ili9341-240x320", &sim_model_ili9341, 240, 320, 240, 320, 0, 0, true, true, false, false, true, false},

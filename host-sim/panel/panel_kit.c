@@ -22,7 +22,8 @@ static bool is_usb_line(const char *line)
 
 bool panel_kit_has(const struct board *board)
 {
-    return board->pins.data.wired && board->pins.data.line != NULL;
+    const struct board_pin *pin = board->i2c_address != 0 ? &board->pins.data : &board->pins.dc;
+    return pin->wired && pin->line != NULL;
 }
 
 static int choose_board(const struct panel_wiring *w, const struct board **board)
@@ -87,6 +88,46 @@ static int change_line(struct panel_kit *kit, enum panel_line which, const char 
     return 0;
 }
 
+/* Replaces the command that inverts, or does not, in a copy of the initialisation. */
+static void change_inversion(struct panel_kit *kit, bool invert)
+{
+    const uint8_t *codes = kit->glass.controller->invert;
+    memcpy(kit->init, kit->glass.init, kit->glass.init_bytes);
+    for (size_t i = 0; i + 2 <= kit->glass.init_bytes; i += 2U + kit->init[i + 1]) {
+        if (kit->init[i + 1] == 0 && (kit->init[i] == codes[0] || kit->init[i] == codes[1])) {
+            kit->init[i] = codes[invert];
+        }
+    }
+    kit->glass.init = kit->init;
+}
+
+/* Changes the glass itself, for modules that are not what their name says. */
+static int change_glass(struct panel_kit *kit, const struct panel_wiring *w)
+{
+    struct panel *glass = &kit->glass;
+    *glass = *kit->board.panel;
+    kit->board.panel = glass;
+    if (w->offset_set) {
+        const bool pages = glass->controller->set_page != 0;
+        if (w->offset[0] + glass->width > glass->ram_width || w->offset[1] + glass->height > glass->ram_height ||
+            (pages && w->offset[1] % 8 != 0)) {
+            return complain_usage("--offset %u,%u: the %s has %ux%u pixels%s, the glass %ux%u", w->offset[0],
+                                  w->offset[1], glass->controller->name, glass->ram_width, glass->ram_height,
+                                  pages ? " in pages of 8 lines" : "", glass->width, glass->height);
+        }
+        glass->x0 = (uint16_t)w->offset[0];
+        glass->y0 = (uint16_t)w->offset[1];
+    }
+    if (w->bgr && glass->controller->rotation_bit_bgr == 0) {
+        return complain_usage("--bgr: the %s has one colour", glass->controller->name);
+    }
+    glass->rotation_base ^= w->bgr ? glass->controller->rotation_bit_bgr : 0;
+    if (w->invert_set) {
+        change_inversion(kit, w->invert);
+    }
+    return 0;
+}
+
 /* A board of the display's size. Its memory is this computer's. */
 static int choose_drm(struct panel_kit *kit, const struct panel_wiring *w)
 {
@@ -136,6 +177,9 @@ int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *w)
     }
     for (int i = 0; i < PANEL_LINES && status == 0; i++) {
         status = change_line(kit, (enum panel_line)i, w->lines[i]);
+    }
+    if (status == 0 && (w->invert_set || w->bgr || w->offset_set)) {
+        status = change_glass(kit, w);
     }
     if (status == 0 && w->spi != NULL && kit->usb) {
         status = complain_usage("--spi %s: '%s' is on USB", w->spi, board->name);

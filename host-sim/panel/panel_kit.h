@@ -16,7 +16,8 @@ struct panel_kit {
     struct linux_hal linux;
     struct ft232h ft232h;
     struct kms kms;
-    struct panel glass; /* of kms */
+    struct panel glass; /* of kms, or the board's with another offset, colours or inversion */
+    uint8_t init[512];  /* its initialisation, if inverted otherwise */
     char title[40];
 };
 

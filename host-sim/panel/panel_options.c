@@ -95,6 +95,36 @@ static bool set_rotate(void *to, const char *value)
     return option_text_turns(value, &wiring(to)->rotate);
 }
 
+static bool set_invert(void *to, const char *value)
+{
+    static const char *const names[] = {"off", "on"};
+    const int found = option_text_choice(value, names, 2);
+    wiring(to)->invert_set = true;
+    wiring(to)->invert = found == 1;
+    return found >= 0;
+}
+
+static bool set_bgr(void *to, const char *value)
+{
+    (void)value; /* it takes none */
+    wiring(to)->bgr = true;
+    return true;
+}
+
+static bool set_offset(void *to, const char *value)
+{
+    const char *comma = strchr(value, ',');
+    char first[8];
+    if (comma == NULL || (size_t)(comma - value) >= sizeof first) {
+        return false;
+    }
+    memcpy(first, value, (size_t)(comma - value));
+    first[comma - value] = '\0';
+    wiring(to)->offset_set = true;
+    return option_text_u32(first, 0, 1023, &wiring(to)->offset[0]) &&
+           option_text_u32(comma + 1, 0, 1023, &wiring(to)->offset[1]);
+}
+
 static bool set_speed(void *to, const char *value)
 {
     return option_text_u32(value, 1, HZ_LIMIT, &wiring(to)->speed_hz);
@@ -152,6 +182,11 @@ static const struct option_row rows[] = {
     {"mode", "0|3", "SPI mode; 3 for displays without chip select", "0 or 3", .set = set_mode},
     {"speed", "HZ", "the bus clock asked for; the board's own by default", "a whole number, 1 .. 200000000",
      .set = set_speed},
+    {"invert", "on|off", "for a glass that shows the negative: the controller inverts, or does not", "on or off",
+     .set = set_invert},
+    {"bgr", NULL, "for a glass that shows red as blue", NULL, .set = set_bgr},
+    {"offset", "X,Y", "columns and rows of the controller's memory before the glass, unless it mirrors them",
+     "two whole numbers, 0 .. 1023", .set = set_offset},
     {"rotate", "0|90|180|270",
      "how far the picture is turned clockwise in the controller's memory; 0 is the controller's own top; the\n"
      "        board's own by default",

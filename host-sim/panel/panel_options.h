@@ -36,6 +36,10 @@ struct panel_wiring {
     bool rotate_set;
     uint8_t rotate; /* enum panel_rotation */
     uint32_t speed_hz;
+    bool invert_set, invert;
+    bool bgr; /* red and blue change places */
+    bool offset_set;
+    uint32_t offset[2]; /* of the glass in the controller's memory, columns and rows */
 };
 
 struct panel_options {

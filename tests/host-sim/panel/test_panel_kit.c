@@ -6,6 +6,7 @@
 
 #include "complain.h"
 #include "panel_kit.h"
+#include "panel_picture.h"
 #include "panels.h"
 #include "stderr_capture.h"
 
@@ -223,6 +224,78 @@ static void what_was_taken_is_given_back_and_missing_buttons_are_told(void **sta
     }
 }
 
+/* What the glass of a kit shows of a picture when it is driven so, black where it was not written. */
+static void show(struct panel_wiring w, uint8_t *seen)
+{
+    static uint16_t picture[PICTURE_PIXELS];
+    static uint8_t scratch[512];
+    take(w);
+    struct hal hal;
+    struct sim *sim = sim_open(&kit.board, &hal);
+    assert_non_null(sim);
+    const struct panel_config config = {kit.board.panel, kit.board.rotation, kit.board.format, 1000000,
+                                        scratch,         sizeof scratch};
+    struct panel_driver d;
+    assert_int_equal(panel_open(&d, &hal, &config), 0);
+    picture_fill(picture, d.width, d.height, 1);
+    assert_int_equal(picture_draw(&d, picture, 16), 0);
+    sim_pixels(sim, kit.board.rotation, seen);
+    sim_close(sim);
+}
+
+static uint8_t right[3 * PICTURE_PIXELS], other[3 * PICTURE_PIXELS];
+
+static void a_glass_may_be_another_than_its_name_says(void **state)
+{
+    (void)state;
+    static const char *const colours[] = {"st7789-240x240", "ili9341-240x320", "ssd1351-128x128"};
+    for (size_t i = 0; i < sizeof colours / sizeof colours[0]; i++) {
+        const struct panel *const panel = panel_find(colours[i]);
+        const bool inverted = i == 0; /* IPS */
+        show((struct panel_wiring){.panel = colours[i]}, right);
+        show((struct panel_wiring){.panel = colours[i], .bgr = true, .invert_set = true, .invert = inverted}, other);
+        for (int p = 0; p < 3 * panel->width * panel->height; p += 3) {
+            assert_true(right[p] == other[p + 2] && right[p + 1] == other[p + 1] && right[p + 2] == other[p]);
+        }
+    }
+    static const char *const names[] = {"st7789-240x240", "ili9341-240x320", "ssd1351-128x128", "ssd0323-128x64",
+                                        "sh1106-128x64"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        const struct panel *const panel = panel_find(names[i]);
+        show((struct panel_wiring){.panel = names[i]}, right);
+        show((struct panel_wiring){.panel = names[i], .invert_set = true, .invert = i != 0}, other);
+        for (int p = 0; p < 3 * panel->width * panel->height; p++) {
+            assert_int_equal(right[p], 255 - other[p]);
+        }
+    }
+}
+
+/* A glass whose first row is row 0 shows row 20 of the memory as its row 20. */
+static void the_offset_is_where_the_picture_begins(void **state)
+{
+    (void)state;
+    show((struct panel_wiring){.panel = "st7789-240x240"}, right);
+    show((struct panel_wiring){.panel = "st7789-240x240", .offset_set = true, .offset = {0, 20}}, other);
+    assert_memory_equal(other + 3 * 240 * 20, right, 3 * 240 * 220);
+    show((struct panel_wiring){.panel = "st7735s-80x160"}, right);
+    show((struct panel_wiring){.panel = "st7735s-80x160", .offset_set = true, .offset = {24, 1}}, other);
+    for (int y = 0; y < 160; y++) {
+        assert_memory_equal(other + 240 * y, right + 240 * y + 6, 234);
+    }
+    assert_int_equal(choose((struct panel_wiring){.panel = "st7735s-80x160", .offset_set = true, .offset = {53, 0}}),
+                     PH_ERR_INVAL);
+    assert_non_null(strstr(said.text, "the ST7735S has 132x162 pixels, the glass 80x160"));
+    assert_int_equal(choose((struct panel_wiring){.panel = "st7735s-80x160", .offset_set = true, .offset = {0, 3}}),
+                     PH_ERR_INVAL);
+    assert_int_equal(choose((struct panel_wiring){.panel = "ssd1306-72x40", .offset_set = true, .offset = {0, 4}}),
+                     PH_ERR_INVAL);
+    assert_int_equal(choose((struct panel_wiring){.panel = "ssd1306-72x40", .bgr = true}), PH_ERR_INVAL);
+    assert_non_null(strstr(said.text, "--bgr: the SSD1306 has one colour"));
+    for (uint32_t i = 0; i < panel_count; i++) {
+        assert_true(panel_list[i]->init_bytes <= sizeof kit.init);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -232,6 +305,8 @@ int main(void)
         cmocka_unit_test(the_command_line_changes_wires_and_clock),
         cmocka_unit_test(only_boards_with_named_lines_can_be_driven),
         cmocka_unit_test(what_cannot_be_is_said),
+        cmocka_unit_test(a_glass_may_be_another_than_its_name_says),
+        cmocka_unit_test(the_offset_is_where_the_picture_begins),
         cmocka_unit_test(the_kernels_display_is_a_board_of_its_size),
         cmocka_unit_test(what_was_taken_is_given_back_and_missing_buttons_are_told),
     };

@@ -202,6 +202,21 @@ static void what_is_wrong_is_said(void **state)
     }
 }
 
+static void a_glass_may_be_changed(void **state)
+{
+    (void)state;
+    take("--panel st7735s-80x160 --offset 24,1 --invert off --bgr");
+    assert_true(o.kits[0].offset_set && o.kits[0].offset[0] == 24 && o.kits[0].offset[1] == 1);
+    assert_true(o.kits[0].invert_set && !o.kits[0].invert && o.kits[0].bgr);
+    take("--board rpi-waveshare-1in3 --invert on");
+    assert_true(o.kits[0].invert_set && o.kits[0].invert && !o.kits[0].bgr && !o.kits[0].offset_set);
+    static const char *const bad[] = {"--offset 1",      "--offset 1,",         "--offset ,1",  "--offset 1,2,3",
+                                      "--offset 1024,0", "--offset 00000001,0", "--offset 1,x", "--invert yes"};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        assert_int_equal(read_line(bad[i]), PH_ERR_INVAL);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -211,6 +226,7 @@ int main(void)
         cmocka_unit_test(each_further_board_is_another_display),
         cmocka_unit_test(a_scene_is_described),
         cmocka_unit_test(what_is_wrong_is_said),
+        cmocka_unit_test(a_glass_may_be_changed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
