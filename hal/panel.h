@@ -132,15 +132,15 @@ uint32_t panel_frame_us(const struct panel *panel, unsigned format, unsigned rot
 uint32_t panel_luma(uint8_t high, uint8_t low);
 
 /*
- * The grey level 0 .. 15 of the picture's pixel (x, y), whose colour is two bytes, high first. Its luma
- * is dithered with the 4x4 Bayer matrix. Black is 0, white 15.
+ * The grey level 0 .. 15 of the picture's pixel (x, y), whose colour is two bytes, high first. Its luma is dithered
+ * with the 4x4 Bayer matrix. Black is 0, white 15.
  */
 uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y);
 
 /*
- * Whether the picture's pixel (x, y) is lit on a glass of one bit. Its luma is that of panel_grey4. MONO_DITHER
- * compares it with a matrix of 8x8 blue noise that is tied to the picture, so a still picture stays still;
- * MONO_THRESHOLD compares it with a half. Black is never lit, white always.
+ * Whether the picture's pixel (x, y) is lit on a glass of one bit. MONO_DITHER compares the square of its luma, which
+ * is the share of lit dots that looks as bright, with a matrix of 8x8 blue noise. The matrix is tied to the picture, so
+ * a still picture stays still. MONO_THRESHOLD compares the luma with a half. Black is never lit, white always.
  */
 bool panel_mono(unsigned format, uint8_t high, uint8_t low, uint32_t x, uint32_t y);
 

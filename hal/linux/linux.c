@@ -4,9 +4,9 @@
 
 #include "debounce.h"
 #include "fail.h"
+#include "i2c.h"
 #include "lines.h"
 #include "sender.h"
-#include "i2c.h"
 #include "spi.h"
 
 #include <errno.h>

@@ -3,8 +3,8 @@
 #include "spi.h"
 
 #include "fail.h"
-#include "i2c.h"
 #include "hal.h"
+#include "i2c.h"
 
 #include <errno.h>
 #include <fcntl.h>

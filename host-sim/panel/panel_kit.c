@@ -108,12 +108,10 @@ static int change_glass(struct panel_kit *kit, const struct panel_wiring *w)
     *glass = *kit->board.panel;
     kit->board.panel = glass;
     if (w->offset_set) {
-        const bool pages = glass->controller->set_page != 0;
-        if (w->offset[0] + glass->width > glass->ram_width || w->offset[1] + glass->height > glass->ram_height ||
-            (pages && w->offset[1] % 8 != 0)) {
-            return complain_usage("--offset %u,%u: the %s has %ux%u pixels%s, the glass %ux%u", w->offset[0],
+        if (w->offset[0] + glass->width > glass->ram_width || w->offset[1] + glass->height > glass->ram_height) {
+            return complain_usage("--offset %u,%u: the %s has %ux%u pixels, the glass %ux%u", w->offset[0],
                                   w->offset[1], glass->controller->name, glass->ram_width, glass->ram_height,
-                                  pages ? " in pages of 8 lines" : "", glass->width, glass->height);
+                                  glass->width, glass->height);
         }
         glass->x0 = (uint16_t)w->offset[0];
         glass->y0 = (uint16_t)w->offset[1];

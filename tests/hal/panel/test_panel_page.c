@@ -188,6 +188,20 @@ static void the_matrix_is_made_by_void_and_cluster(void **state)
     }
 }
 
+/* Every colour, by the definition of its luma. */
+static void a_half_and_more_is_lit(void **state)
+{
+    (void)state;
+    unsigned halves = 0;
+    for (uint32_t word = 0; word < 0x10000; word++) {
+        const double red = floor(8.25 * (word >> 11)), green = floor(4.0625 * (word >> 5 & 63)),
+                     blue = floor(8.25 * (word & 31)), luma = floor((77 * red + 150 * green + 29 * blue) / 256);
+        halves += luma == 128;
+        assert_int_equal(panel_mono(PANEL_MONO_THRESHOLD, (uint8_t)(word >> 8), (uint8_t)word, 1, 2), luma > 127.5);
+    }
+    assert_true(halves > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -196,6 +210,7 @@ int main(void)
         cmocka_unit_test(the_glass_lies_where_its_table_says),
         cmocka_unit_test(what_is_no_page_is_refused),
         cmocka_unit_test(an_error_of_the_bus_is_told),
+        cmocka_unit_test(a_half_and_more_is_lit),
         cmocka_unit_test(the_matrix_is_made_by_void_and_cluster),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

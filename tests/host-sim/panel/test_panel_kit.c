@@ -287,8 +287,6 @@ static void the_offset_is_where_the_picture_begins(void **state)
     assert_non_null(strstr(said.text, "the ST7735S has 132x162 pixels, the glass 80x160"));
     assert_int_equal(choose((struct panel_wiring){.panel = "st7735s-80x160", .offset_set = true, .offset = {0, 3}}),
                      PH_ERR_INVAL);
-    assert_int_equal(choose((struct panel_wiring){.panel = "ssd1306-72x40", .offset_set = true, .offset = {0, 4}}),
-                     PH_ERR_INVAL);
     assert_int_equal(choose((struct panel_wiring){.panel = "ssd1306-72x40", .bgr = true}), PH_ERR_INVAL);
     assert_non_null(strstr(said.text, "--bgr: the SSD1306 has one colour"));
     for (uint32_t i = 0; i < panel_count; i++) {
