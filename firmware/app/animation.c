@@ -147,6 +147,8 @@ int animation_init(struct demo_context *context, const struct animation *a, cons
         return PH_ERR_NOMEM;
     }
     const int status = eye ? demo_still_init(context, s->meshes, mesh_count, eye)
+                       : a->outline_count > 0
+                           ? demo_turntable_around(context, s->meshes, mesh_count, a->outline, a->outline_count)
                            : demo_turntable_init(context, s->meshes, mesh_count, (struct fx_vec3){0, 0, 0});
     s->is_still = eye != NULL;
     s->view = context->state;

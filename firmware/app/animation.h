@@ -26,6 +26,8 @@ struct animation {
     const struct animation_mesh *meshes;
     uint32_t mesh_count, weight_count;
     const int32_t *rest_weights;
+    const struct fx_vec3 *outline; /* points around all that the clips show while it is turned about y */
+    uint32_t outline_count;        /* 0: the vertices in the bind pose have to do */
 };
 
 /* A scene that moves; it lies in an arena. */
@@ -65,7 +67,7 @@ struct animation_stage *animation_begin(struct demo_arena *arena, const struct a
 void animation_move(const struct animation_stage *stage, const struct ph_renderer *r, uint64_t frame);
 
 /* Makes a demo of an animation, before an eye of its own, or (NULL) on the turntable; see demo_still_init(),
- * demo_turntable_init(). The camera is that for the bind pose. */
+ * demo_turntable_init(). The turntable's camera is that for the outline. */
 int animation_init(struct demo_context *context, const struct animation *animation, const struct ph_mesh *meshes,
                    uint32_t mesh_count, const struct demo_eye *eye);
 int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);

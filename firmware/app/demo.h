@@ -128,6 +128,10 @@ extern const struct demo demo_scene;
 #define DEMO_TURNTABLE_TRIANGLES  132
 int demo_turntable_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
                         struct fx_vec3 centre);
+
+/* demo_turntable_init for meshes that move around the origin, before a camera that has these points in the picture. */
+int demo_turntable_around(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
+                          const struct fx_vec3 *points, uint32_t point_count);
 int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
 
 /* What is not covered by the model, on the turntable or before an eye of its own, in wire order. */

@@ -28,7 +28,7 @@
 #include <stdint.h>
 
 #define SCENE_FILE_MAGIC   0x53484850u /* "PHHS" */
-#define SCENE_FILE_VERSION 3u
+#define SCENE_FILE_VERSION 4u
 #define SCENE_FILE_MESHES  4096u /* at most */
 #define SCENE_FILE_NAME    40
 
@@ -96,6 +96,7 @@ struct scene_file_motion {
     uint32_t node_count, weight_count, clip_count;
     uint32_t playing; /* which clip */
     int32_t r[3][3], t[3];
+    uint32_t outline, outline_count; /* an offset: struct fx_vec3 */
 };
 
 struct scene_file_clip {
@@ -116,7 +117,9 @@ struct scene_file_track {
 struct scene_file_moving {
     uint32_t joints, inverse_bind, influences; /* offsets: uint16_t, struct ph_xform, struct ph_influence or 0 */
     uint32_t targets, target_normals;          /* offsets; 0: none */
-    uint32_t joint_count, target_count, first_weight, frac;
+    uint32_t joint_count, target_count, first_weight;
+    uint8_t frac, scales_axes; /* of struct ph_bound; scales_axes: 0 or 1 */
+    uint16_t spare;            /* 0 */
 };
 
 static inline const struct scene_file_mesh *scene_file_table(const struct scene_file_head *head)

@@ -78,7 +78,8 @@ static bool is_moving_right(const struct scene_file_head *head, const struct sce
 {
     const struct scene_file_moving *const moving = scene_file_at(head, mesh->moving);
     if (!motion || !scene_file_inside(head, mesh->moving, 1, sizeof(*moving)) || moving->frac < 12 ||
-        moving->frac > 24 || moving->target_count > TARGETS_MAX || moving->first_weight > motion->weight_count ||
+        moving->frac > 24 || moving->scales_axes > 1 || moving->spare != 0 || moving->target_count > TARGETS_MAX ||
+        moving->first_weight > motion->weight_count ||
         moving->target_count > motion->weight_count - moving->first_weight) {
         return false;
     }
@@ -93,6 +94,7 @@ bool scene_motion_right(const struct scene_file_head *head)
     const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
     if (motion && (!scene_file_inside(head, head->motion, 1, sizeof(*motion)) || !are_nodes_right(head, motion) ||
                    !scene_file_inside(head, motion->clips, motion->clip_count, sizeof(struct scene_file_clip)) ||
+                   !scene_file_inside(head, motion->outline, motion->outline_count, sizeof(struct fx_vec3)) ||
                    (motion->clip_count > 0 && motion->playing >= motion->clip_count))) {
         return false;
     }
@@ -175,8 +177,12 @@ static struct animation_mesh moving_of(const struct scene_file_head *head, uint3
 {
     const struct scene_file_mesh *const m = &scene_file_table(head)[i];
     const struct scene_file_moving *const from = scene_file_at(head, m->moving);
-    const struct ph_bound bound = {scene_file_at(head, m->positions), scene_file_at(head, m->normals),
-                                   scene_file_at(head, from->influences), m->vertex_count, (uint8_t)from->frac};
+    const struct ph_bound bound = {.positions = scene_file_at(head, m->positions),
+                                   .normals = scene_file_at(head, m->normals),
+                                   .influences = scene_file_at(head, from->influences),
+                                   .vertex_count = m->vertex_count,
+                                   .frac = from->frac,
+                                   .scales_axes = from->scales_axes};
     return (struct animation_mesh){
         .mesh = i,
         .bound = bound,
@@ -217,7 +223,9 @@ static struct animation animation_of(const struct scene_file_head *head, const s
     struct animation a = {.rig = {scene_file_at(head, motion->nodes), motion->node_count},
                           .root = {.t = {motion->t[0], motion->t[1], motion->t[2]}},
                           .weight_count = motion->weight_count,
-                          .rest_weights = scene_file_at(head, motion->rest_weights)};
+                          .rest_weights = scene_file_at(head, motion->rest_weights),
+                          .outline = scene_file_at(head, motion->outline),
+                          .outline_count = motion->outline_count};
     memcpy(a.root.r, motion->r, sizeof(a.root.r));
     for (uint32_t i = 0; i < head->mesh_count; i++) {
         a.mesh_count += scene_file_table(head)[i].moving != 0;
@@ -231,7 +239,7 @@ struct tables {
     struct ph_clip clip;
 };
 
-#define TABLES_BYTES_32 96
+#define TABLES_BYTES_32 104
 #define MESH_BYTES_32   64
 #define TRACK_BYTES_32  16
 _Static_assert(sizeof(void *) > 4 || sizeof(struct tables) == TABLES_BYTES_32, "TABLES_BYTES_32 is wrong");

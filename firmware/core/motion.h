@@ -17,10 +17,13 @@
  * Errors beyond those of the 16-bit numbers given, in LSB of Q16.16 (2^-16), against exact arithmetic:
  *   a sampled translation or scale     2^-7 of an LSB, and 2^-17 of the way between the two keys
  *   a sampled rotation                 each component 2^-19 beside slerp, and 2^-17 of the way between the two keys
- *   a joint matrix                     rotations 2^-27 and translations 2^-5 LSB for each joint above it
+ *   a joint matrix                     rotations 2^-27 and translations 2^-5 LSB for each joint above it, and as often
+ *                                      more as the scales of the joints below that one multiply it
  *   a vertex of one joint              0.6
  *   a vertex of several joints         0.6, and |x| + |y| + |z| of its position in the bind pose
- *   a normal                           2^-10 in each component, where no joint scales the axes differently
+ *   a normal                           2^-10 in each component, where no joint scales the axes differently, or where
+ *                                      scales_axes says so: then by as much more as the axes differ, at most 2^-6 at
+ *                                      1 : 64
  * No function takes memory, and none that works on vertices multiplies to 64 bits. Whatever the numbers are, the result
  * is defined: Q8.24 saturates, and so do the elements of matrices (-2 .. 2).
  */
@@ -133,7 +136,8 @@ struct ph_bound {
     const int16_t (*normals)[3];           /* Q1.14, or NULL */
     const struct ph_influence *influences; /* NULL: all follow joint 0 */
     uint32_t vertex_count;
-    uint8_t frac; /* bits of fraction of the positions, 12 .. 24 */
+    uint8_t frac;     /* bits of fraction of the positions, 12 .. 24 */
+    bool scales_axes; /* joints scale the axes differently: normals take the cofactors of their matrices */
 };
 
 /* Positions in Q16.16, normals of length one in Q1.14 (a zero normal stays zero), where they are asked for. */

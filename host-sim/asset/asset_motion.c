@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* Bytes of the tables, on a 32-bit target. */
-#define ANIMATION_BYTES      76
+#define ANIMATION_BYTES      84
 #define ANIMATION_MESH_BYTES 64
 #define CLIP_BYTES           20
 #define TRACK_BYTES          16
@@ -111,8 +111,8 @@ uint64_t asset_motion_bytes(const struct model *model)
         return 0;
     }
     const struct animation *a = &m->animation;
-    uint64_t bytes =
-        ANIMATION_BYTES + a->rig.node_count * sizeof(struct ph_rig_node) + (a->weight_count + 1) * sizeof(int32_t);
+    uint64_t bytes = ANIMATION_BYTES + a->rig.node_count * sizeof(struct ph_rig_node) +
+                     (a->weight_count + 1) * sizeof(int32_t) + a->outline_count * sizeof(struct fx_vec3);
     for (uint32_t i = 0; i < a->mesh_count; i++) {
         const uint32_t joints = asset_first_skin(a, i) == i ? a->meshes[i].skin.joint_count : 0;
         bytes += ANIMATION_MESH_BYTES + ROUND4(joints * sizeof(uint16_t)) + joints * sizeof(struct ph_xform) +

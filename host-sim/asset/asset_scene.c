@@ -84,7 +84,9 @@ static uint32_t write_motion(struct writer *to, const struct model_motion *motio
                                   .node_count = a->rig.node_count,
                                   .weight_count = a->weight_count,
                                   .clip_count = motion->clip_count,
-                                  .t = {a->root.t.x, a->root.t.y, a->root.t.z}};
+                                  .t = {a->root.t.x, a->root.t.y, a->root.t.z},
+                                  .outline = append(to, a->outline, a->outline_count * sizeof *a->outline),
+                                  .outline_count = a->outline_count};
     memcpy(m.r, a->root.r, sizeof m.r);
     const struct scene_file_clip none = {.tracks = 0};
     m.clips = to->used;
@@ -128,6 +130,7 @@ static uint32_t write_moving(struct writer *to, const struct animation *a, uint3
     m.target_count = morph->target_count;
     m.first_weight = from->first_weight;
     m.frac = from->bound.frac;
+    m.scales_axes = from->bound.scales_axes;
     return append(to, &m, sizeof m);
 }
 

@@ -116,6 +116,7 @@ static void put_moving(FILE *file, const struct animation *a)
         if (m->bound.influences != NULL) {
             fprintf(file, ".influences = influences_%u, ", n);
         }
+        fputs(m->bound.scales_axes ? ".scales_axes = true, " : "", file);
         fprintf(file, ".vertex_count = %u, .frac = %u},\n     .skin = {joints_0_%u, binds_%u, %u}",
                 (unsigned)m->bound.vertex_count, m->bound.frac, skin, skin, (unsigned)m->skin.joint_count);
         if (m->morph.target_count > 0) {
@@ -177,6 +178,17 @@ static void put_clips(FILE *file, const struct model_motion *m)
     fputs("};\n", file);
 }
 
+static void put_outline(FILE *file, const struct animation *a)
+{
+    fputs("\nstatic const struct fx_vec3 outline[] = {\n", file);
+    for (uint32_t i = 0; i < a->outline_count; i++) {
+        fputs("    ", file);
+        asset_put_vec3(file, a->outline[i]);
+        fputs(",\n", file);
+    }
+    fputs("};\n", file);
+}
+
 void asset_write_motion(FILE *file, const struct model *model)
 {
     const struct model_motion *m = model->motion;
@@ -186,6 +198,9 @@ void asset_write_motion(FILE *file, const struct model *model)
     if (m->clip_count > 0) {
         put_clips(file, m);
     }
+    if (a->outline_count > 0) {
+        put_outline(file, a);
+    }
     fprintf(file, "\nstatic const struct animation animation = {\n    .rig = {nodes, %u},\n    .root = ",
             (unsigned)a->rig.node_count);
     put_matrix(file, &a->root);
@@ -194,5 +209,8 @@ void asset_write_motion(FILE *file, const struct model *model)
     }
     fprintf(file, ",\n    .meshes = moving,\n    .mesh_count = %u,\n    .weight_count = %u,\n", (unsigned)a->mesh_count,
             (unsigned)a->weight_count);
+    if (a->outline_count > 0) {
+        fprintf(file, "    .outline = outline,\n    .outline_count = %u,\n", (unsigned)a->outline_count);
+    }
     fputs("    .rest_weights = rest_weights,\n};\n", file);
 }

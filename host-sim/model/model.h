@@ -16,7 +16,8 @@
  * A camera in whose picture less than 5 % show the model is left out, and noted.
  *
  * The first clip of a glTF file plays, and repeats: nodes, skins of up to 256 joints and morph targets move, in fixed
- * point, as on a kit (motion.h).
+ * point, as on a kit (motion.h). The sphere is that around all that the clips show. Vertices are right to 1/1000 of its
+ * radius at every time; a file with a number that the fixed point has no room for is refused, and the number named.
  *
  * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending, emission
  * (a factor, and a texture at the coordinates of the base colour's), unlit, mirrored textures and
@@ -54,7 +55,8 @@ struct model_motion {
     struct animation animation; /* its clip is that which plays */
     const struct ph_clip *clips;
     uint32_t clip_count;
-    double scale; /* lengths of the model in those of the file */
+    double scale;     /* lengths of the model in those of the file */
+    double centre[3]; /* what the model's origin is in the file */
     struct model_rounding rounding;
 };
 

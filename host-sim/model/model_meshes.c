@@ -1,9 +1,10 @@
 /* See model_meshes.h. A mesh that a node shows becomes pieces of at most 65,535 vertices, in Q16.16. */
 #include "model_meshes.h"
 
-#include "model_camera.h"
+#include "model_fit.h"
 #include "model_places.h"
 #include "model_rig.h"
+#include "model_rig_range.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,35 +16,6 @@ static fx_t fixed(double value)
         return value > 0 ? FX_MAX : value < 0 ? FX_MIN : 0;
     }
     return (fx_t)lround(value * 65536);
-}
-
-/* The middle of the box around all points, and their largest distance from it. */
-static bool find_fit(const struct model_places *places, struct model_fit *fit)
-{
-    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, point[3];
-    for (size_t k = 0; k < places->count; k++) {
-        for (unsigned i = 0; i < places->list[k].mesh->vertex_count; i++) {
-            model_places_point(&places->list[k], i, point);
-            for (int axis = 0; axis < 3; axis++) {
-                low[axis] = point[axis] < low[axis] || !isfinite(point[axis]) ? point[axis] : low[axis];
-                high[axis] = point[axis] > high[axis] || !isfinite(point[axis]) ? point[axis] : high[axis];
-            }
-        }
-    }
-    double most = 0; /* square of the distance */
-    for (int axis = 0; axis < 3; axis++) {
-        fit->centre[axis] = (low[axis] + high[axis]) / 2;
-        most = isfinite(fit->centre[axis]) ? most : HUGE_VAL;
-    }
-    for (size_t k = 0; k < places->count; k++) {
-        for (unsigned i = 0; i < places->list[k].mesh->vertex_count; i++) {
-            model_places_point(&places->list[k], i, point);
-            const double x = point[0] - fit->centre[0], y = point[1] - fit->centre[1], z = point[2] - fit->centre[2];
-            most = fmax(most, x * x + y * y + z * z);
-        }
-    }
-    fit->scale = 1 / sqrt(most);
-    return isfinite(most) && isfinite(fit->scale);
 }
 
 static void set_normal(int16_t normal[3], double x, double y, double z)
@@ -331,18 +303,20 @@ static bool any_has_area(const struct model *model)
     return false;
 }
 
-static bool copy_meshes(struct model_shared *shared, const struct model_scene *scene, const struct model_places *places,
+static bool copy_meshes(struct model_shared *shared, const struct model_scene *scene, struct model_places *places,
                         struct model_fit *fit)
 {
     struct model *model = &shared->model;
-    if (!find_fit(places, fit)) {
-        return model_shared_failed(shared, "has coordinates that are no numbers, or all points in one place");
+    struct model_outline outline;
+    if (!model_fit_find(shared, places, fit, &outline)) {
+        return false;
     }
+    model_rig_settle(shared->rig, places, fit);
     model->meshes = demo_alloc(&shared->arena, sizeof *model->meshes * count_pieces(places));
     if (model->meshes == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }
-    if (!model_rig_begin(shared, fit, count_pieces(places))) {
+    if (!model_rig_begin(shared, fit, count_pieces(places)) || !model_fit_outline(shared, &outline)) {
         return false;
     }
     for (size_t i = 0; i < places->count; i++) {

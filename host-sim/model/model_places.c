@@ -20,11 +20,15 @@ static void find_cofactors(struct model_place *place)
     place->mirrors = determinant < 0;
 }
 
-static void add_places(const struct model_scene *scene, uint32_t i, struct model_places *places)
+static void add_places(const struct model_scene *scene, uint32_t i, double (*root)[4], struct model_places *places)
 {
     const struct model_node *node = &scene->nodes[i];
     struct model_place place = {.node = i};
-    memcpy(place.m, places->nodes[i], sizeof place.m);
+    if (node->is_bound) {
+        model_scene_multiply(place.m, root, node->bound);
+    } else {
+        memcpy(place.m, places->nodes[i], sizeof place.m);
+    }
     find_cofactors(&place);
     for (uint32_t k = 0; k < node->mesh_count; k++) {
         place.mesh = &scene->meshes[node->first_mesh + k];
@@ -50,7 +54,7 @@ bool model_places_find(const struct model_scene *scene, struct model_places *pla
     for (uint32_t i = scene->first_node; i != MODEL_NONE; i = model_scene_next(scene, i)) {
         const uint32_t parent = scene->nodes[i].parent;
         model_scene_multiply(places->nodes[i], parent != MODEL_NONE ? places->nodes[parent] : root, scene->nodes[i].m);
-        add_places(scene, i, places);
+        add_places(scene, i, root, places);
     }
     return true;
 }

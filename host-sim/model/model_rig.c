@@ -3,102 +3,66 @@
 #include "model_rig.h"
 
 #include "model_rig_clips.h"
-#include "model_rig_nodes.h"
+#include "model_rig_pose.h"
+#include "model_rig_range.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define FRAC 15 /* of positions */
+#define FRAC_MOST  15 /* of positions */
+#define FRAC_LEAST 12
 
 static int32_t q24(double value)
 {
     return (int32_t)lround(model_rig_clamp(value, 127.9999) * PH_MOTION_ONE);
 }
 
-static int16_t q15(double value, double *error)
+static int16_t fixed16(double value, int frac, double *error)
 {
-    const long rounded = lround(model_rig_clamp(value * 32768, 32767));
-    model_rig_note(error, value - (double)rounded / 32768);
+    const long rounded = lround(model_rig_clamp(ldexp(value, frac), 32767));
+    model_rig_note(error, value - ldexp((double)rounded, -frac));
     return (int16_t)rounded;
 }
 
-/* ---- matrices of 3 x 4 ------------------------------------------------------------------------------------------- */
-
-typedef double matrix[3][4];
-
-static void multiply(matrix to, const double (*a)[4], const double (*b)[4])
+/* Refuses a number of a node that its fixed point has no room for. */
+static bool fits(struct model_shared *shared, uint32_t node, const char *what, const double v[3])
 {
-    for (int row = 0; row < 3; row++) {
-        for (int column = 0; column < 4; column++) {
-            to[row][column] = column == 3 ? a[row][3] : 0;
-            for (int k = 0; k < 3; k++) {
-                to[row][column] += a[row][k] * b[k][column];
-            }
-        }
-    }
-}
-
-/* Inverts a matrix. False: it has no inverse. */
-static bool invert(matrix to, const double (*m)[4])
-{
-    double determinant = 0;
-    for (int row = 0; row < 3; row++) {
-        for (int column = 0; column < 3; column++) {
-            const int a = (row + 1) % 3, b = (row + 2) % 3, c = (column + 1) % 3, d = (column + 2) % 3;
-            to[column][row] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
-        }
-    }
-    for (int k = 0; k < 3; k++) {
-        determinant += m[0][k] * to[k][0];
-    }
-    for (int row = 0; row < 3; row++) {
-        for (int column = 0; column < 3; column++) {
-            to[row][column] /= determinant;
-        }
-        to[row][3] = -(to[row][0] * m[0][3] + to[row][1] * m[1][3] + to[row][2] * m[2][3]);
-    }
-    return determinant != 0 && isfinite(to[0][0] + to[1][1] + to[2][2] + to[0][3] + to[1][3] + to[2][3]);
-}
-
-static const double identity[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-
-/* Makes a matrix of sixteen numbers, column by column, as glTF has them. */
-static void from_columns(matrix to, const float *m)
-{
-    for (int row = 0; row < 3; row++) {
-        for (int column = 0; column < 4; column++) {
-            to[row][column] = (double)m[4 * column + row];
-        }
-    }
+    const double most = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+    return most <= MODEL_RIG_MOST ||
+           model_shared_failed(shared, "cannot be shown: %s of node %u is %.4g, and at most %d is possible", what, node,
+                               most, MODEL_RIG_MOST);
 }
 
 /* ---- nodes ------------------------------------------------------------------------------------------------------- */
 
-/* A node of its own, the last one without a parent, draws what follows a skin, at the place that the first joint gives
- * it. */
-static void move_skinned(struct model_rig *rig, struct model_scene *scene, uint32_t i)
+static void set_matrix(float to[3][4], const double (*from)[4])
+{
+    for (int i = 0; i < 12; i++) {
+        to[i / 4][i % 4] = (float)from[i / 4][i % 4];
+    }
+}
+
+/* Shows the meshes of a node where they are bound. A node of its own, the last one without a parent, draws what follows
+ * a skin. */
+static void show_bound(struct model_rig *rig, struct model_scene *scene, uint32_t i, const double (*place)[4])
 {
     struct model_node *node = &scene->nodes[i], *own = &scene->nodes[scene->node_count];
-    if (node->skin == MODEL_NONE || node->mesh_count == 0) {
+    if (rig->nodes[i].drawn == MODEL_NONE) {
         return;
     }
-    const struct model_skin *skin = &scene->skins[node->skin];
-    matrix bind, place;
-    memcpy(bind, identity, sizeof bind);
-    if (skin->bind != NULL) {
-        from_columns(bind, skin->bind);
+    if (node->skin == MODEL_NONE) {
+        node->is_bound = memcmp(place, rig->nodes[i].world, sizeof rig->nodes[i].world) != 0;
+        set_matrix(node->bound, place);
+        return;
     }
-    multiply(place, (const double(*)[4])rig->nodes[skin->joints[0]].world, (const double(*)[4])bind);
     *own = (struct model_node){.parent = MODEL_NONE,
                                .child = MODEL_NONE,
                                .next = MODEL_NONE,
                                .skin = MODEL_NONE,
                                .first_mesh = node->first_mesh,
                                .mesh_count = node->mesh_count};
-    for (int k = 0; k < 12; k++) {
-        own->m[k / 4][k % 4] = (float)place[k / 4][k % 4];
-    }
+    set_matrix(own->m, place);
     uint32_t last = scene->first_node;
     while (scene->nodes[last].next != MODEL_NONE) {
         last = scene->nodes[last].next;
@@ -108,19 +72,16 @@ static void move_skinned(struct model_rig *rig, struct model_scene *scene, uint3
     node->mesh_count = 0;
 }
 
-/* Finds an order in which each node follows its parent: nodes without a parent by their numbers, then the children of
- * each. */
+/* Finds an order of all nodes that are shown in which each follows its parent: nodes without a parent by their numbers,
+ * then the children of each. */
 static void find_order(struct model_rig *rig)
 {
     const struct model_scene *scene = rig->scene;
     for (uint32_t i = 0; i < scene->node_count; i++) {
-        rig->nodes[i].drawn = MODEL_NONE;
-    }
-    for (uint32_t i = scene->first_node; i != MODEL_NONE; i = model_scene_next(scene, i)) {
-        rig->nodes[i].drawn = i;
+        rig->nodes[i].drawn = rig->nodes[i].number = MODEL_NONE;
     }
     for (uint32_t i = 0; i < scene->node_count; i++) {
-        if (rig->nodes[i].drawn != MODEL_NONE && scene->nodes[i].parent == MODEL_NONE) {
+        if (scene->nodes[i].is_shown && scene->nodes[i].parent == MODEL_NONE) {
             rig->order[rig->node_count++] = i;
         }
     }
@@ -129,6 +90,73 @@ static void find_order(struct model_rig *rig)
             rig->order[rig->node_count++] = i;
         }
     }
+}
+
+/* Marks nodes that a clip moves, and the meshes that move. */
+static void find_moving(struct model_rig *rig)
+{
+    const struct model_scene *scene = rig->scene;
+    for (uint32_t c = 0; c < scene->clip_count; c++) {
+        for (uint32_t i = 0; i < scene->clips[c].count; i++) {
+            const struct model_track *track = &scene->clips[c].tracks[i];
+            rig->nodes[track->node].moves = rig->nodes[track->node].moves || track->path != PH_PATH_WEIGHTS;
+            rig->nodes[track->node].drawn =
+                track->path == PH_PATH_WEIGHTS ? track->node : rig->nodes[track->node].drawn;
+        }
+    }
+    for (uint32_t k = 0; k < rig->node_count; k++) {
+        const uint32_t i = rig->order[k];
+        const struct model_node *from = &scene->nodes[i];
+        struct model_rig_node *node = &rig->nodes[i];
+        node->moves = node->moves || (from->parent != MODEL_NONE && rig->nodes[from->parent].moves);
+        node->drawn = node->moves || from->skin != MODEL_NONE ? i : node->drawn;
+        for (uint32_t w = 0; from->weights != NULL && w < from->weight_count; w++) {
+            node->drawn = from->weights[w] != 0 ? i : node->drawn;
+        }
+        node->drawn = from->mesh_count > 0 ? node->drawn : MODEL_NONE;
+    }
+}
+
+/* Leaves in the order what moves meshes, and what that stands in. */
+static void keep_movers(struct model_rig *rig)
+{
+    const struct model_scene *scene = rig->scene;
+    uint32_t kept = 0;
+    for (uint32_t k = 0; k < rig->node_count; k++) {
+        const struct model_node *node = &scene->nodes[rig->order[k]];
+        const struct model_skin *skin =
+            node->skin != MODEL_NONE && node->mesh_count > 0 ? &scene->skins[node->skin] : NULL;
+        for (uint32_t j = 0; skin != NULL && j < skin->count; j++) {
+            rig->nodes[skin->joints[j]].number = 0;
+        }
+    }
+    for (uint32_t k = rig->node_count; k-- > 0;) {
+        const uint32_t i = rig->order[k], parent = scene->nodes[i].parent;
+        rig->nodes[i].number = rig->nodes[i].drawn != MODEL_NONE ? 0 : rig->nodes[i].number;
+        if (rig->nodes[i].number == 0 && parent != MODEL_NONE) {
+            rig->nodes[parent].number = 0;
+        }
+    }
+    for (uint32_t k = 0; k < rig->node_count; k++) {
+        if (rig->nodes[rig->order[k]].number == 0) {
+            rig->nodes[rig->order[k]].number = kept;
+            rig->order[kept++] = rig->order[k];
+        }
+    }
+    rig->node_count = kept;
+}
+
+static bool make_weights(struct model_rig *rig)
+{
+    bool done = true;
+    for (uint32_t k = 0; k < rig->node_count; k++) {
+        struct model_rig_node *node = &rig->nodes[rig->order[k]];
+        const uint32_t n = rig->scene->nodes[rig->order[k]].weight_count;
+        node->weights = calloc(n + (size_t)1, sizeof *node->weights);
+        node->most_weights = calloc(n + (size_t)1, sizeof *node->most_weights);
+        done = done && node->weights != NULL && node->most_weights != NULL;
+    }
+    return done;
 }
 
 bool model_rig_find(struct model_shared *shared, struct model_scene *scene)
@@ -149,21 +177,19 @@ bool model_rig_find(struct model_shared *shared, struct model_scene *scene)
     shared->rig = rig;
     *rig = (struct model_rig){
         .scene = scene, .nodes = calloc(n + 1, sizeof *rig->nodes), .order = calloc(n + 1, sizeof *rig->order)};
-    if (rig->nodes == NULL || rig->order == NULL) {
-        return false;
+    model_matrix *references = calloc(n + 1, sizeof *references);
+    bool done = rig->nodes != NULL && rig->order != NULL && references != NULL;
+    if (done) {
+        find_order(rig);
+        find_moving(rig);
+        keep_movers(rig);
+        done = make_weights(rig) && model_rig_moments_find(rig) && model_rig_ranges_find(rig, references);
     }
-    find_order(rig);
-    for (uint32_t k = 0; k < rig->node_count; k++) {
-        const uint32_t i = rig->order[k], parent = scene->nodes[i].parent;
-        matrix base;
-        memcpy(base, parent == MODEL_NONE ? (const void *)identity : rig->nodes[parent].world, sizeof base);
-        model_scene_multiply(rig->nodes[i].world, base, (const float(*)[4])scene->nodes[i].m);
-        rig->nodes[i].number = k;
+    for (uint32_t k = 0; done && k < rig->node_count; k++) {
+        show_bound(rig, scene, rig->order[k], (const double(*)[4])references[rig->order[k]]);
     }
-    for (uint32_t k = 0; k < rig->node_count; k++) {
-        move_skinned(rig, scene, rig->order[k]);
-    }
-    return true;
+    free(references);
+    return done;
 }
 
 /* ---- the rig ----------------------------------------------------------------------------------------------------- */
@@ -178,23 +204,52 @@ static struct fx_quat quat_of(const double q[4])
                             (int32_t)lround(q[1] / size * most), (int32_t)lround(q[2] / size * most)};
 }
 
-/* The scale of a node in the rest pose that becomes a length. */
-static double own_length(const double s[3])
+double model_rig_above(const struct model_rig *rig, uint32_t node)
 {
-    const double mean = (fabs(s[0]) + fabs(s[1]) + fabs(s[2])) / 3;
-    return mean > 0 && isfinite(mean) ? mean : 1;
+    const uint32_t parent = rig->scene->nodes[node].parent;
+    return parent == MODEL_NONE ? 1 : rig->nodes[parent].length[0];
 }
 
-static void read_rest(struct model_rig *rig, uint32_t i, double unit, struct ph_rig_node *to)
+void model_rig_origin(const struct model_rig *rig, uint32_t node, const struct model_fit *fit, double origin[3])
 {
+    for (int k = 0; k < 3; k++) {
+        origin[k] = 0;
+        for (int i = 0; rig->scene->nodes[node].parent == MODEL_NONE && i < 3; i++) {
+            origin[k] += (double)rig->scene->root[i][k] * fit->centre[i];
+        }
+    }
+}
+
+/* Whether every clip says what a property of a node is, so that it is never at rest. */
+static bool is_never_at_rest(const struct model_scene *scene, uint32_t node, uint8_t path)
+{
+    uint32_t has = 0;
+    for (uint32_t c = 0; c < scene->clip_count; c++) {
+        bool is_keyed = false;
+        for (uint32_t i = 0; i < scene->clips[c].count; i++) {
+            is_keyed = is_keyed || (scene->clips[c].tracks[i].node == node && scene->clips[c].tracks[i].path == path);
+        }
+        has += is_keyed;
+    }
+    return has > 0 && has == scene->clip_count;
+}
+
+static bool read_rest(struct model_shared *shared, uint32_t i, const struct model_fit *fit, struct ph_rig_node *to)
+{
+    const struct model_rig *rig = shared->rig;
     const struct model_node *from = &rig->scene->nodes[i];
-    const double above = from->parent == MODEL_NONE ? unit : rig->nodes[from->parent].length;
-    const double own = own_length(from->s);
-    rig->nodes[i].length = above * own;
+    const double above = model_rig_above(rig, i);
+    double t[3], s[3];
+    model_rig_origin(rig, i, fit, t);
+    for (int k = 0; k < 3; k++) {
+        t[k] = (from->t[k] - t[k]) * above * fit->scale;
+        s[k] = from->s[k] * above / rig->nodes[i].length[k];
+    }
     to->parent = (int16_t)(from->parent == MODEL_NONE ? -1 : (int32_t)rig->nodes[from->parent].number);
-    to->rest = (struct ph_pose){quat_of(from->q),
-                                {q24(from->t[0] * above), q24(from->t[1] * above), q24(from->t[2] * above)},
-                                {q24(from->s[0] / own), q24(from->s[1] / own), q24(from->s[2] / own)}};
+    to->rest = (struct ph_pose){quat_of(from->q), {q24(t[0]), q24(t[1]), q24(t[2])}, {q24(s[0]), q24(s[1]), q24(s[2])}};
+    return (is_never_at_rest(rig->scene, i, PH_PATH_TRANSLATION) ||
+            fits(shared, i, "the translation in radii of the model", t)) &&
+           (is_never_at_rest(rig->scene, i, PH_PATH_SCALE) || fits(shared, i, "the scale beside its largest", s));
 }
 
 /* The weights of morph targets that each node begins with, one behind the other. */
@@ -209,8 +264,10 @@ static bool read_weights(struct model_shared *shared, struct animation *to)
     int32_t *weights = demo_alloc(&shared->arena, sizeof *weights * (to->weight_count + 1));
     for (uint32_t k = 0; weights != NULL && k < rig->node_count; k++) {
         const struct model_node *node = &nodes[rig->order[k]];
+        const struct model_rig_node *own = &rig->nodes[rig->order[k]];
         for (uint32_t i = 0; i < node->weight_count; i++) {
-            weights[rig->nodes[rig->order[k]].first_weight + i] = q24(node->weights != NULL ? node->weights[i] : 0);
+            const double most = own->most_weights[i];
+            weights[own->first_weight + i] = q24(node->weights != NULL && most > 0 ? node->weights[i] / most : 0);
         }
     }
     to->rest_weights = weights;
@@ -231,10 +288,13 @@ bool model_rig_begin(struct model_shared *shared, const struct model_fit *fit, s
         return model_shared_failed(shared, "needs too much memory");
     }
     *to = (struct model_motion){.animation = {.rig = {nodes, n}, .root = ph_xform_identity, .meshes = rig->moving},
-                                .scale = fit->scale};
+                                .scale = fit->scale,
+                                .centre = {fit->centre[0], fit->centre[1], fit->centre[2]}};
     shared->model.motion = to;
     for (uint32_t k = 0; k < n; k++) {
-        read_rest(rig, rig->order[k], fit->scale, &nodes[k]);
+        if (!read_rest(shared, rig->order[k], fit, &nodes[k])) {
+            return false;
+        }
     }
     if (!read_weights(shared, &to->animation)) {
         return model_shared_failed(shared, "needs too much memory, or has too many morph targets");
@@ -242,29 +302,29 @@ bool model_rig_begin(struct model_shared *shared, const struct model_fit *fit, s
     for (int i = 0; i < 9; i++) {
         to->animation.root.r[i / 3][i % 3] = (int32_t)lround((double)rig->scene->root[i / 3][i % 3] * FX_Q30_ONE);
     }
-    to->animation.root.t = (struct fx_vec3){q24(-fit->centre[0] * fit->scale), q24(-fit->centre[1] * fit->scale),
-                                            q24(-fit->centre[2] * fit->scale)};
-    return model_rig_clips_make(shared, to, fit->scale);
+    return model_rig_clips_make(shared, to, fit);
 }
 
 /* ---- meshes ------------------------------------------------------------------------------------------------------ */
 
 /* Fills the inverse bind matrix of a joint for positions that are in the model already. */
-static void set_bind(struct ph_xform *to, const double (*back)[4], const float *bind, double length)
+static bool set_bind(struct model_shared *shared, uint32_t joint, const double (*back)[4], const float *bind,
+                     struct ph_xform *to)
 {
-    matrix own, product;
-    memcpy(own, identity, sizeof own);
-    if (bind != NULL) {
-        from_columns(own, bind);
-    }
-    multiply(product, (const double(*)[4])own, back);
-    int32_t *const t[3] = {&to->t.x, &to->t.y, &to->t.z};
+    const double unit = shared->model.motion->scale, *length = shared->rig->nodes[joint].length;
+    model_matrix own, product;
+    double t[3];
+    model_matrix_from_columns(own, bind);
+    model_matrix_multiply(product, (const double(*)[4])own, back);
     for (int row = 0; row < 3; row++) {
         for (int k = 0; k < 3; k++) {
-            to->r[row][k] = (int32_t)lround(model_rig_clamp(product[row][k] * length, 1.9999999) * FX_Q30_ONE);
+            const double element = product[row][k] * length[row] * unit;
+            to->r[row][k] = (int32_t)lround(model_rig_clamp(element, 1.9999999) * FX_Q30_ONE);
         }
-        *t[row] = q24(product[row][3] * length);
+        t[row] = product[row][3] * length[row] * unit;
     }
+    to->t = (struct fx_vec3){q24(t[0]), q24(t[1]), q24(t[2])};
+    return fits(shared, joint, "the distance in radii of the model of what follows the axes", t);
 }
 
 static bool set_skin(struct model_shared *shared, uint32_t node, const double (*back)[4], struct ph_skin *skin)
@@ -278,12 +338,14 @@ static bool set_skin(struct model_shared *shared, uint32_t node, const double (*
     if (numbers == NULL || inverse == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }
-    for (uint32_t k = 0; k < from->count; k++) {
-        const struct model_rig_node *joint = &rig->nodes[from->joints[k]];
-        numbers[k] = (uint16_t)joint->number;
-        set_bind(&inverse[k], back, from->bind != NULL ? from->bind + 16 * (size_t)k : NULL, joint->length);
-    }
     *skin = (struct ph_skin){numbers, inverse, from->count};
+    for (uint32_t k = 0; k < from->count; k++) {
+        numbers[k] = (uint16_t)rig->nodes[from->joints[k]].number;
+        if (!set_bind(shared, from->joints[k], back, from->bind != NULL ? from->bind + 16 * (size_t)k : NULL,
+                      &inverse[k])) {
+            return false;
+        }
+    }
     return true;
 }
 
@@ -332,23 +394,31 @@ static bool set_influences(struct model_shared *shared, const struct model_moved
     return influences != NULL || model_shared_failed(shared, "needs too much memory");
 }
 
+/* What target t adds to a vertex in the model, where its weight is largest. */
+static void shift_of(const struct model_moved *moved, uint32_t t, unsigned vertex, const double (*to_model)[4],
+                     double most, double shift[3])
+{
+    const float *from =
+        moved->targets[t] != NULL ? moved->targets[t] + 3 * (size_t)moved->sources[vertex] : (const float[3]){0, 0, 0};
+    for (int row = 0; row < 3; row++) {
+        shift[row] = most * (to_model[row][0] * (double)from[0] + to_model[row][1] * (double)from[1] +
+                             to_model[row][2] * (double)from[2]);
+    }
+}
+
 static bool set_targets(struct model_shared *shared, const struct model_moved *moved, const unsigned *vertices,
-                        const double (*to_model)[4], struct animation_mesh *to)
+                        const double (*to_model)[4], const double *most, struct animation_mesh *to)
 {
     const uint32_t n = to->bound.vertex_count;
     int16_t(*d)[3] = demo_alloc(&shared->arena, sizeof *d * n * moved->target_count);
     if (d == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }
-    for (uint32_t t = 0; t < moved->target_count; t++) {
-        for (uint32_t i = 0; i < n; i++) {
-            const float *from = moved->targets[t] != NULL ? moved->targets[t] + 3 * (size_t)moved->sources[vertices[i]]
-                                                          : (const float[3]){0, 0, 0};
-            for (int row = 0; row < 3; row++) {
-                const double v = to_model[row][0] * (double)from[0] + to_model[row][1] * (double)from[1] +
-                                 to_model[row][2] * (double)from[2];
-                d[(size_t)t * n + i][row] = q15(v, &shared->model.motion->rounding.target);
-            }
+    for (size_t i = 0; i < (size_t)n * moved->target_count; i++) {
+        double shift[3];
+        shift_of(moved, (uint32_t)(i / n), vertices[i % n], to_model, most[i / n], shift);
+        for (int row = 0; row < 3; row++) {
+            d[i][row] = fixed16(shift[row], to->bound.frac, &shared->model.motion->rounding.target);
         }
     }
     to->morph = (struct ph_morph){.positions = to->bound.positions,
@@ -360,7 +430,7 @@ static bool set_targets(struct model_shared *shared, const struct model_moved *m
 
 /* What targets add to normals, turned as the normals are, and divided by the length that those had then. */
 static bool set_target_normals(struct model_shared *shared, const struct model_moved *moved, const unsigned *vertices,
-                               const struct model_place *place, struct animation_mesh *to)
+                               const struct model_place *place, const double *most, struct animation_mesh *to)
 {
     const uint32_t n = to->bound.vertex_count;
     int16_t(*d)[3] = demo_alloc(&shared->arena, sizeof *d * n * moved->target_count);
@@ -374,7 +444,7 @@ static bool set_target_normals(struct model_shared *shared, const struct model_m
             const double *c = place->cofactors[row], sign = place->mirrors ? -1 : 1;
             const double v =
                 from != NULL ? sign * (c[0] * (double)from[0] + c[1] * (double)from[1] + c[2] * (double)from[2]) : 0;
-            d[i][row] = (int16_t)lround(model_rig_clamp(v / length * 16384, 32767));
+            d[i][row] = (int16_t)lround(model_rig_clamp(v * most[i / n] / length * 16384, 32767));
         }
     }
     to->morph.normals = to->bound.normals;
@@ -382,7 +452,35 @@ static bool set_target_normals(struct model_shared *shared, const struct model_m
     return d != NULL || model_shared_failed(shared, "needs too much memory");
 }
 
-static bool copy_bind_pose(struct model_shared *shared, const struct ph_mesh *mesh, struct animation_mesh *to)
+/* Finds the bits of fraction that positions have, as the targets move them. */
+static bool find_frac(struct model_shared *shared, const struct ph_mesh *mesh, const struct model_moved *moved,
+                      const unsigned *vertices, const double (*to_model)[4], uint32_t node, uint8_t *frac)
+{
+    double most = 0;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const struct fx_vec3 *p = &mesh->positions[i];
+        double sums[3] = {fabs(p->x / 65536.0), fabs(p->y / 65536.0), fabs(p->z / 65536.0)}, shift[3];
+        for (uint32_t t = 0; t < moved->target_count; t++) {
+            shift_of(moved, t, vertices[i], to_model, shared->rig->nodes[node].most_weights[t], shift);
+            for (int k = 0; k < 3; k++) {
+                sums[k] += fabs(shift[k]);
+            }
+        }
+        most = fmax(most, fmax(sums[0], fmax(sums[1], sums[2])));
+    }
+    *frac = FRAC_MOST;
+    while (*frac > FRAC_LEAST && ldexp(most, *frac) > 32769) {
+        --*frac;
+    }
+    return ldexp(most, *frac) <= 32769 ||
+           model_shared_failed(shared,
+                               "cannot be shown: a vertex of node %u can get %.4g radii of the model away from where "
+                               "it is bound, and at most %d are possible",
+                               node, most, 1 << (FRAC_MOST - FRAC_LEAST));
+}
+
+static bool copy_bind_pose(struct model_shared *shared, const struct ph_mesh *mesh, uint8_t frac,
+                           struct animation_mesh *to)
 {
     const uint32_t n = mesh->vertex_count;
     int16_t(*positions)[3] = demo_alloc(&shared->arena, sizeof *positions * n);
@@ -394,26 +492,15 @@ static bool copy_bind_pose(struct model_shared *shared, const struct ph_mesh *me
         const struct fx_vec3 *p = &mesh->positions[i];
         const double v[3] = {p->x / 65536.0, p->y / 65536.0, p->z / 65536.0};
         for (int k = 0; k < 3; k++) {
-            positions[i][k] = q15(v[k], &shared->model.motion->rounding.position);
+            positions[i][k] = fixed16(v[k], frac, &shared->model.motion->rounding.position);
             normals[i][k] = mesh->normals[i][k];
         }
     }
     to->bound = (struct ph_bound){.positions = (const int16_t(*)[3])positions,
                                   .normals = (const int16_t(*)[3])normals,
                                   .vertex_count = n,
-                                  .frac = FRAC};
+                                  .frac = frac};
     return true;
-}
-
-/* The node of the rig whose meshes this one draws; MODEL_NONE: there is none. */
-static uint32_t moves_with(const struct model_rig *rig, uint32_t drawn)
-{
-    for (uint32_t k = 0; k < rig->node_count; k++) {
-        if (rig->nodes[rig->order[k]].drawn == drawn) {
-            return rig->order[k];
-        }
-    }
-    return MODEL_NONE;
 }
 
 bool model_rig_bind(struct model_shared *shared, const struct model_place *place, const struct model_fit *fit,
@@ -422,7 +509,7 @@ bool model_rig_bind(struct model_shared *shared, const struct model_place *place
     const struct model_rig *rig = shared->rig;
     const struct model_moved *moved = &place->mesh->moved;
     struct model_motion *to = shared->model.motion;
-    const uint32_t node = to != NULL ? moves_with(rig, place->node) : MODEL_NONE;
+    const uint32_t node = to != NULL ? model_rig_mover(rig, place->node) : MODEL_NONE;
     if (node == MODEL_NONE) {
         return true;
     }
@@ -430,12 +517,13 @@ bool model_rig_bind(struct model_shared *shared, const struct model_place *place
         return model_shared_failed(shared, "is broken: parts of a mesh have different numbers of morph targets");
     }
     struct animation_mesh *moving = &rig->moving[to->animation.mesh_count];
-    matrix to_model, back;
+    model_matrix to_model, back;
+    uint8_t frac;
     for (int i = 0; i < 12; i++) {
         const double centre = i % 4 == 3 ? fit->centre[i / 4] : 0;
         to_model[i / 4][i % 4] = (place->m[i / 4][i % 4] - centre) * fit->scale;
     }
-    if (!invert(back, (const double(*)[4])to_model)) {
+    if (!model_matrix_invert(back, (const double(*)[4])to_model)) {
         model_shared_note(shared, "what a node flattens does not move");
         return true;
     }
@@ -445,10 +533,16 @@ bool model_rig_bind(struct model_shared *shared, const struct model_place *place
     if (is_skinned && (moved->joints == NULL || moved->weights == NULL)) {
         return model_shared_failed(shared, "is broken: a mesh with a skin names no joints");
     }
-    return copy_bind_pose(shared, &shared->model.meshes[mesh], moving) &&
-           set_skin(shared, node, (const double(*)[4])back, &moving->skin) &&
+    const double(*const linear)[4] = (const double(*)[4])to_model, *most = rig->nodes[node].most_weights;
+    const struct ph_mesh *drawn = &shared->model.meshes[mesh];
+    if (!find_frac(shared, drawn, moved, vertices, linear, node, &frac) ||
+        !copy_bind_pose(shared, drawn, frac, moving)) {
+        return false;
+    }
+    moving->bound.scales_axes = rig->nodes[node].scales_axes;
+    return set_skin(shared, node, (const double(*)[4])back, &moving->skin) &&
            (!is_skinned || set_influences(shared, moved, vertices, moving)) &&
-           (moved->target_count == 0 || set_targets(shared, moved, vertices, (const double(*)[4])to_model, moving)) &&
+           (moved->target_count == 0 || set_targets(shared, moved, vertices, linear, most, moving)) &&
            (!moved->has_normals || place->mesh->normals == NULL ||
-            set_target_normals(shared, moved, vertices, place, moving));
+            set_target_normals(shared, moved, vertices, place, most, moving));
 }

@@ -1,28 +1,37 @@
 /* See model_rig_clips.h. */
 #include "model_rig_clips.h"
 
-#include "model_rig_nodes.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #define PI 3.14159265358979323846
 
-/* Tangents are multiplied by the time between their keys. */
-static void prepare(const struct model_track *c, double factor)
+/* What becomes of number i of a value: (number - origin) factor. */
+struct change {
+    double origin, factor;
+};
+
+/* Changes numbers to the rig's. Tangents are multiplied by the time between their keys. The greatest number. */
+static double prepare(const struct model_track *c, const struct change *changes)
 {
     const bool is_cubic = c->interpolation == PH_KEYS_CUBIC;
+    double most = 0;
     for (uint32_t k = 0; k < c->keys; k++) {
         const double before = k > 0 ? (double)c->times[k] - (double)c->times[k - 1] : 0,
                      behind = k + 1 < c->keys ? (double)c->times[k + 1] - (double)c->times[k] : 0;
         const uint32_t parts = is_cubic ? 3 : 1;
         for (uint32_t i = 0; i < parts * c->width; i++) {
-            const double times = !is_cubic || i / c->width == 1 ? 1 : i / c->width == 0 ? before : behind;
+            const struct change *change = &changes[i % c->width];
+            const bool is_value = !is_cubic || i / c->width == 1;
+            const double times = is_value ? 1 : i / c->width == 0 ? before : behind;
             float *number = &c->numbers[(size_t)k * parts * c->width + i];
-            *number = (float)model_rig_clamp(*number * factor * times, 120);
+            *number = (float)((*number - (is_value ? change->origin : 0)) * change->factor * times);
+            most = fmax(most, fabs((double)*number));
+            *number = (float)model_rig_clamp((double)*number, MODEL_RIG_MOST);
         }
     }
+    return most;
 }
 
 /* Notes how far the keys are from the numbers. */
@@ -84,29 +93,48 @@ static bool pack(struct model_shared *shared, const struct model_track *c, uint8
 }
 
 /* Makes a track, in the model's units. */
-static bool make_track(struct model_shared *shared, const struct model_track *from, double unit, uint8_t time_shift,
-                       struct ph_track *to)
+static bool make_track(struct model_shared *shared, const struct model_track *from, const struct model_fit *fit,
+                       uint8_t time_shift, struct ph_track *to)
 {
+    static const char *const names[] = {"translation in radii of the model", "rotation", "scale beside the largest",
+                                        "weight"};
     const struct model_rig *rig = shared->rig;
     const struct model_rig_node *node = &rig->nodes[from->node];
-    const uint32_t parent = rig->scene->nodes[from->node].parent;
-    const double above = parent == MODEL_NONE ? unit : rig->nodes[parent].length;
-    prepare(from, from->path == PH_PATH_TRANSLATION ? above : from->path == PH_PATH_SCALE ? above / node->length : 1);
+    const double above = model_rig_above(rig, from->node);
+    struct change changes[256];
+    double origin[3];
+    model_rig_origin(rig, from->node, fit, origin);
+    for (uint32_t i = 0; i < from->width; i++) {
+        const double most = from->path == PH_PATH_WEIGHTS ? node->most_weights[i] : 1;
+        changes[i] = (struct change){.factor = most > 0 ? 1 / most : 0};
+        if (from->path == PH_PATH_TRANSLATION) {
+            changes[i] = (struct change){origin[i], above * fit->scale};
+        } else if (from->path == PH_PATH_SCALE) {
+            changes[i].factor = above / node->length[i];
+        }
+    }
+    const double most = prepare(from, changes);
+    if (!(most <= MODEL_RIG_MOST)) {
+        return model_shared_failed(shared,
+                                   "cannot be shown: a clip has a %s of %.4g at node %u, and at most %d is "
+                                   "possible",
+                                   names[from->path], most, from->node, MODEL_RIG_MOST);
+    }
     if (!pack(shared, from, time_shift, to)) {
-        return false;
+        return model_shared_failed(shared, "needs too much memory");
     }
     to->node = (uint16_t)(from->path == PH_PATH_WEIGHTS ? node->first_weight : node->number);
     return true;
 }
 
-static bool make_clip(struct model_shared *shared, const struct model_clip *from, uint32_t index, double unit,
-                      struct ph_clip *clip)
+static bool make_clip(struct model_shared *shared, const struct model_clip *from, uint32_t index,
+                      const struct model_fit *fit, struct ph_clip *clip)
 {
     struct ph_track *tracks = demo_alloc(&shared->arena, sizeof *tracks * (from->count + 1));
     char *name = demo_alloc(&shared->arena, 64);
     double end = 0;
     if (tracks == NULL || name == NULL) {
-        return false;
+        return model_shared_failed(shared, "needs too much memory");
     }
     if (from->name != NULL && from->name[0] != '\0') {
         snprintf(name, 64, "%.60s", from->name);
@@ -125,25 +153,29 @@ static bool make_clip(struct model_shared *shared, const struct model_clip *from
         clip->time_shift++;
     }
     for (uint32_t i = 0; i < from->count; i++) {
-        if (!make_track(shared, &from->tracks[i], unit, clip->time_shift, &tracks[clip->track_count++])) {
+        if (shared->rig->nodes[from->tracks[i].node].number != MODEL_NONE &&
+            !make_track(shared, &from->tracks[i], fit, clip->time_shift, &tracks[clip->track_count++])) {
             return false;
         }
     }
     return true;
 }
 
-bool model_rig_clips_make(struct model_shared *shared, struct model_motion *to, double unit)
+bool model_rig_clips_make(struct model_shared *shared, struct model_motion *to, const struct model_fit *fit)
 {
     const struct model_scene *scene = shared->rig->scene;
     const uint32_t n = scene->clip_count;
     struct ph_clip *clips = demo_alloc(&shared->arena, sizeof *clips * (n + 1));
+    if (clips == NULL) {
+        return model_shared_failed(shared, "needs too much memory");
+    }
     for (uint32_t i = 0; i < n; i++) {
-        if (clips == NULL || !make_clip(shared, &scene->clips[i], i, unit, &clips[i])) {
-            return model_shared_failed(shared, "has an animation that cannot be read: it needs too much memory");
+        if (!make_clip(shared, &scene->clips[i], i, fit, &clips[i])) {
+            return false;
         }
     }
     to->clips = clips;
     to->animation.clip = n > 0 ? clips : NULL;
     to->clip_count = n;
-    return clips != NULL || model_shared_failed(shared, "needs too much memory");
+    return true;
 }

@@ -39,7 +39,9 @@ struct model_node {
     uint32_t skin;   /* or MODEL_NONE */
     double *weights; /* of the morph targets at rest; may be NULL */
     uint32_t weight_count;
-    bool is_shown; /* it is in the tree */
+    bool is_shown;     /* it is in the tree */
+    bool is_bound;     /* its meshes are bound in another place than it has at rest: in `bound` */
+    float bound[3][4]; /* to the world, but for root */
 };
 
 struct model_skin {

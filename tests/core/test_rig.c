@@ -479,7 +479,7 @@ static void check_skin(double scale, uint32_t sum)
         const struct quat q = any_quat();
         const int16_t normal[1][3] = {
             {(int16_t)(q.v[0] * 16384), (int16_t)(q.v[1] * 16384), (int16_t)(q.v[2] * 16384)}};
-        const struct ph_bound from = {p, normal, &in, 1, (uint8_t)(12 + n % 7)};
+        const struct ph_bound from = {p, normal, &in, 1, (uint8_t)(12 + n % 7), false};
         check_vertex(&from, &skin, &c);
     }
 }
@@ -505,7 +505,7 @@ static void weights_that_do_not_sum_to_one_draw_towards_the_origin(void **state)
 static void a_mesh_without_influences_follows_one_joint(void **state)
 {
     static const int16_t p[2][3] = {{16384, 0, -32768}, {1, 2, 3}}, n[2][3] = {{0, 16384, 0}, {0, 0, 0}};
-    const struct ph_bound from = {p, n, NULL, 2, 15};
+    const struct ph_bound from = {p, n, NULL, 2, 15, false};
     struct ph_xform quarter = ph_xform_rotate_z(1u << 30);
     struct fx_vec3 to[2];
     int16_t turned[2][3];
@@ -533,7 +533,7 @@ static void whatever_a_matrix_holds_is_defined(void **state)
         struct fx_vec3 to;
         int16_t normal[1][3];
         for (int k = 0; k < 3; k++) {
-            const struct ph_bound from = {p, p, &in[k], 1, (uint8_t)(n % 2 ? 12 : 24)};
+            const struct ph_bound from = {p, p, &in[k], 1, (uint8_t)(n % 2 ? 12 : 24), n % 3 == 0};
             ph_skin_vertices(&from, m, &to, normal);
         }
         struct ph_pose pose = {{a, b, c, t}, {a, b, c}, {c, b, a}};

@@ -292,8 +292,11 @@ void figure_skin_tube(const struct figure_tube *tube, struct figure_detail detai
 {
     struct figure_loop loop;
     const uint32_t points = detail.sides + 1U;
-    const struct ph_bound bound = {(const int16_t(*)[3])loop.positions, (const int16_t(*)[3])loop.normals,
-                                   loop.influences, points, FIGURE_FRAC};
+    const struct ph_bound bound = {.positions = (const int16_t(*)[3])loop.positions,
+                                   .normals = (const int16_t(*)[3])loop.normals,
+                                   .influences = loop.influences,
+                                   .vertex_count = points,
+                                   .frac = FIGURE_FRAC};
     for (uint32_t ring = 0, v = 0; ring < tube->count; ring += detail.every, v += points) {
         figure_make_loop(&loop, tube, ring, detail);
         ph_skin_vertices(&bound, joints, positions + v, normals ? normals + v : NULL);

@@ -106,9 +106,10 @@ static void make_platter(struct platter *p, fx_t radius, fx_t y)
                                .part_count = 1};
 }
 
-/* Makes the turntable for meshes. gap: between the lowest point and the platter, in radii of the meshes. */
+/* Makes the turntable for meshes. camera: around all that has to be in the picture. gap: between the lowest point and
+ * the platter, in radii of the meshes. */
 static int stand(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count, struct fx_vec3 centre,
-                 fx_t gap)
+                 struct demo_fit camera, fx_t gap)
 {
     struct turntable *const t = demo_alloc(&context->arena, sizeof(*t));
     if (!t) {
@@ -117,7 +118,7 @@ static int stand(struct demo_context *context, const struct ph_mesh *meshes, uin
     t->meshes = meshes;
     t->mesh_count = mesh_count;
     t->centre = centre;
-    t->camera = demo_fit(context, meshes, mesh_count, centre);
+    t->camera = camera;
     t->platter = demo_alloc(&context->arena, sizeof(*t->platter));
     if (t->platter) {
         make_platter(t->platter, fx_mul_sat(t->camera.radius, FX_ONE * 9 / 10),
@@ -131,7 +132,15 @@ static int stand(struct demo_context *context, const struct ph_mesh *meshes, uin
 int demo_turntable_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
                         struct fx_vec3 centre)
 {
-    return stand(context, meshes, mesh_count, centre, FX_ONE / 64);
+    return stand(context, meshes, mesh_count, centre, demo_fit(context, meshes, mesh_count, centre), FX_ONE / 64);
+}
+
+int demo_turntable_around(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
+                          const struct fx_vec3 *points, uint32_t point_count)
+{
+    const struct fx_vec3 centre = {0, 0, 0};
+    const struct ph_mesh around = {.positions = points, .vertex_count = point_count};
+    return stand(context, meshes, mesh_count, centre, demo_fit(context, &around, 1, centre), FX_ONE / 64);
 }
 
 int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
@@ -153,6 +162,7 @@ static int turntable_init(struct demo_context *context)
     struct demo_arena *const arena = &context->arena;
     struct pot *const pot = demo_alloc(arena, sizeof(*pot));
     const struct demo_arena rest = *arena;
+    const struct fx_vec3 centre = {0, 0, 0};
     if (!pot) {
         return PH_ERR_NOMEM;
     }
@@ -168,7 +178,7 @@ static int turntable_init(struct demo_context *context)
         *arena = rest;
         if (model_teapot(arena, &pot->mesh, segments) == PH_OK &&
             model_material(arena, &pot->mesh, &pot->material) == PH_OK &&
-            stand(context, &pot->mesh, 1, (struct fx_vec3){0, 0, 0}, 0) == PH_OK) {
+            stand(context, &pot->mesh, 1, centre, demo_fit(context, &pot->mesh, 1, centre), 0) == PH_OK) {
             return PH_OK;
         }
     }

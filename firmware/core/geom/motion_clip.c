@@ -169,25 +169,25 @@ PH_TIER(seldom) void ph_pose_blend(struct ph_pose *a, const struct ph_pose *b, u
     }
 }
 
-/* A pose as a matrix. */
-PH_TIER(seldom) static struct ph_xform place_of(const struct ph_pose *pose)
+/* Scales the axes of a place by Q8.24; elements saturate. */
+PH_TIER(seldom) static void scale_axes(struct ph_xform *place, struct fx_vec3 by)
 {
-    struct ph_xform m = ph_xform_quat(pose->r, pose->t);
-    const int32_t s[3] = {pose->s.x, pose->s.y, pose->s.z};
+    const int32_t s[3] = {by.x, by.y, by.z};
     for (int i = 0; i < 9; i++) {
-        const int64_t product = fx_mul_wide(m.r[i / 3][i % 3], s[i % 3]);
-        m.r[i / 3][i % 3] = fx_sat64((product + (1 << 23)) >> 24);
+        const int64_t product = fx_mul_wide(place->r[i / 3][i % 3], s[i % 3]);
+        place->r[i / 3][i % 3] = fx_sat64((product + (1 << 23)) >> 24);
     }
-    return m;
 }
 
+/* The scale comes last, so that it may be any as long as what it makes of the parent's place has room. */
 PH_TIER(seldom)
 void ph_rig_places(const struct ph_rig *rig, const struct ph_pose *pose, const struct ph_xform *root,
                    struct ph_xform *places)
 {
     for (uint32_t i = 0; i < rig->node_count; i++) {
         const int16_t parent = rig->nodes[i].parent;
-        const struct ph_xform place = place_of(&pose[i]);
-        places[i] = ph_xform_mul(parent < 0 ? root : &places[parent], &place);
+        const struct ph_xform turned = ph_xform_quat(pose[i].r, pose[i].t);
+        places[i] = ph_xform_mul(parent < 0 ? root : &places[parent], &turned);
+        scale_axes(&places[i], pose[i].s);
     }
 }

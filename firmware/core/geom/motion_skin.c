@@ -70,6 +70,37 @@ static void set_mean(struct mean *mean, const struct ph_xform *matrices, const s
     }
 }
 
+/*
+ * Makes turn the cofactors of the matrix, which turn normals as it turns surfaces, by a common factor. Each column is
+ * brought to 14 bits first, so that an axis which is short keeps its direction: column k of the cofactors, which is
+ * the cross product of the other two, then counts 2^-down[k].
+ */
+static void set_cofactors(struct mean *mean)
+{
+    int32_t a[3][3];
+    int down[3], least = 31;
+    for (int k = 0; k < 3; k++) {
+        uint32_t bits = 0;
+        for (int i = 0; i < 3; i++) {
+            a[i][k] = (int32_t)((uint32_t)mean->rows[i].high[k] << 14) + mean->rows[i].low[k];
+            bits |= (uint32_t)(a[i][k] ^ a[i][k] >> 31);
+        }
+        down[k] = 18 - fx_clz32(bits);
+        least = down[k] < least ? down[k] : least;
+        for (int i = 0; i < 3; i++) {
+            a[i][k] = down[k] < 0 ? a[i][k] * (1 << -down[k]) : a[i][k] >> down[k]; /* -2^14 .. 2^14 - 1 */
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        const int b = k < 2 ? k + 1 : 0, c = k > 0 ? k - 1 : 2;
+        for (int i = 0; i < 3; i++) {
+            const int m = i < 2 ? i + 1 : 0, n = i > 0 ? i - 1 : 2;
+            const int32_t cross = a[m][b] * a[n][c] - a[m][c] * a[n][b]; /* -2^29 .. 2^29 */
+            mean->rows[i].turn[k] = cross >> (down[k] - least < 16 ? 15 + down[k] - least : 31);
+        }
+    }
+}
+
 /* Whether two vertices follow the same joints by the same shares. What does not count is not read: a word of a slow
  * flash takes longer than the rest of this. */
 static bool is_same(const struct ph_influence *a, const struct ph_influence *b)
@@ -139,6 +170,9 @@ void ph_skin_vertices(const struct ph_bound *from, const struct ph_xform *matric
         if (v == 0 || (last && !is_same(&in[v], last))) {
             last = in ? &in[v] : NULL;
             set_mean(&mean, matrices, last);
+            if (lit && from->scales_axes) {
+                set_cofactors(&mean);
+            }
         }
         place(&mean, from->positions[v], from->frac - 11, &positions[v]);
         if (lit) {

@@ -79,7 +79,7 @@ static void the_head_says_what_the_demo_needs(void **state)
     const struct scene_file_head *head = write_scene();
     const struct demo demo = asset_demo(asset);
     assert_memory_equal(bytes, "PHHS", 4);
-    assert_int_equal(head->version, 3);
+    assert_int_equal(head->version, 4);
     assert_int_equal(head->mesh_count, 4);
     assert_int_equal(head->flags, 0);
     assert_int_equal(head->vertex_max, demo.vertex_max);

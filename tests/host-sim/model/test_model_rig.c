@@ -1,9 +1,9 @@
 /* model_rig: the order and the lengths of nodes, the pose at rest, inverse bind matrices, shares and morph targets, all
  * worked out by hand. Turns are quarters about z, so that every number is exact.
  *
- * Node 0 (scale 2, at 1, 2, 3) has the children 2 (a quarter turn, at 1, 0, 0) and 3 (scale 1, 2, 3); 4 (scale 4) is
- * the child of 2. 1 has a skin of the joints 2 and 4. 5 is not shown. The model is a quarter of the file's size, around
- * 1, 1, 1. */
+ * A clip that holds node 0 where it is lets all that is below it move. Node 0 (scale 2, at 1, 2, 3) has the children 2
+ * (a quarter turn, at 1, 0, 0) and 3 (scale 1, 2, 3); 4 (scale 4) is the child of 2. 1 has a skin of the joints 2
+ * and 4. 5 is not shown. The model is a quarter of the file's size, around 1, 1, 1. */
 #include "model_rig.h"
 #include "model_rig_nodes.h"
 
@@ -17,7 +17,7 @@
 
 #define Q24(x)     ((int32_t)((x) * (1 << 24)))
 #define Q30(x)     ((int32_t)((x) * (1 << 30)))
-#define Q15(x)     ((int)((x)*32768))
+#define Q14(x)     ((int)((x)*16384))
 #define HALF_ROOT  .70710678118654752
 #define NODE_COUNT 6
 
@@ -29,7 +29,12 @@ static uint32_t joints[2] = {2, 4};
 static float bind[32] = {1,    0, 0, 0, 0, 1,    0, 0, 0, 0, 1,    0, -1, -1, 0, 1, /* moves by -1, -1, 0 */
                          .25f, 0, 0, 0, 0, .25f, 0, 0, 0, 0, .25f, 0, 1,  2,  3, 1};
 static struct model_skin skins[1] = {{.joints = joints, .count = 2, .bind = bind}};
-static double weights[3] = {.5, -.25, 200};
+static double weights[3] = {.5, -.25, 200}, ones[2] = {1, 1};
+static struct model_mesh meshes[9];
+static float moment[1] = {0}, held[3];
+static struct model_track track = {
+    .node = 0, .path = PH_PATH_TRANSLATION, .times = moment, .numbers = held, .keys = 1, .width = 3};
+static struct model_clip clips[1] = {{.tracks = &track, .count = 1}};
 static const struct model_fit fit = {.centre = {1, 1, 1}, .scale = .25};
 
 static void set_node(uint32_t i, uint32_t parent, const float m[3][4], const double t[3], const double s[3])
@@ -54,6 +59,10 @@ static int fresh(void **state)
     shared = (struct model_shared){.arena = {.base = memory, .size = sizeof memory}};
     scene = (struct model_scene){.nodes = calloc(NODE_COUNT, sizeof *scene.nodes),
                                  .skins = skins,
+                                 .meshes = meshes,
+                                 .mesh_count = 9,
+                                 .clips = clips,
+                                 .clip_count = 1,
                                  .skin_count = 1,
                                  .node_count = NODE_COUNT,
                                  .first_node = 1,
@@ -70,6 +79,10 @@ static int fresh(void **state)
     scene.nodes[0].child = 2, scene.nodes[1].next = 0, scene.nodes[2].next = 3, scene.nodes[2].child = 4;
     scene.nodes[2].q[2] = scene.nodes[2].q[3] = 3; /* of any length */
     scene.nodes[1].skin = 0, scene.nodes[1].first_mesh = 7, scene.nodes[1].mesh_count = 2;
+    for (uint32_t i = 0; i < 5; i++) {
+        scene.nodes[i].mesh_count = i == 1 ? 2 : 1;
+    }
+    memcpy(held, (const float[3]){1, 2, 3}, sizeof held);
     skins[0].bind = bind;
     memset(drawn, 0, sizeof drawn);
     shared.model.meshes = drawn;
@@ -80,6 +93,12 @@ static int gone(void **state)
 {
     (void)state;
     if (shared.rig != NULL) {
+        for (uint32_t k = 0; k < shared.rig->node_count; k++) {
+            struct model_rig_node *const node = &shared.rig->nodes[shared.rig->order[k]];
+            free(node->weights);
+            free(node->most_weights != ones ? node->most_weights : NULL);
+        }
+        free(shared.rig->moments);
         free(shared.rig->nodes);
         free(shared.rig->order);
         free(shared.rig);
@@ -141,7 +160,7 @@ static void a_node_of_its_own_draws_a_skin_where_the_first_joint_is(void **state
 static void what_stands_still_has_no_rig(void **state)
 {
     (void)state;
-    scene.skin_count = 0;
+    scene.skin_count = scene.clip_count = 0;
     assert_true(model_rig_find(&shared, &scene));
     assert_null(shared.rig);
     assert_true(model_rig_begin(&shared, &fit, 1));
@@ -160,10 +179,11 @@ static void expect_vector(struct fx_vec3 v, double x, double y, double z)
     assert_true(v.x == Q24(x) && v.y == Q24(y) && v.z == Q24(z));
 }
 
-/* A node's own scale goes into the length of what is below it. */
+/* A node's own scale goes into the length of what is below it, along each axis where nothing is below it. Translations
+ * count from the middle of the model, which is at 1, -1, 1 before the root turns. */
 static void the_pose_at_rest_is_in_the_units_of_each_parent(void **state)
 {
-    static const double lengths[5] = {.5, .25, .5, 1, 2};
+    static const double lengths[5][3] = {{2, 2, 2}, {1, 1, 1}, {2, 2, 2}, {2, 4, 6}, {8, 8, 8}};
     static const int parents[5] = {-1, -1, 0, 0, 2};
     (void)state;
     begin();
@@ -171,27 +191,35 @@ static void the_pose_at_rest_is_in_the_units_of_each_parent(void **state)
     assert_int_equal(shared.model.motion->animation.rig.node_count, 5);
     assert_true(shared.model.motion->scale == .25);
     for (int k = 0; k < 5; k++) {
-        assert_true(shared.rig->nodes[k].length == lengths[k] && nodes[k].parent == parents[k]);
+        assert_memory_equal(shared.rig->nodes[k].length, lengths[k], sizeof lengths[k]);
+        assert_int_equal(nodes[k].parent, parents[k]);
     }
-    expect_vector(nodes[0].rest.t, .25, .5, .75);
+    expect_vector(nodes[0].rest.t, 0, .75, .5);
+    expect_vector(nodes[1].rest.t, -.25, .25, -.25);
     expect_vector(nodes[0].rest.s, 1, 1, 1);
     expect_vector(nodes[2].rest.t, .5, 0, 0);
-    expect_vector(nodes[3].rest.s, .5, -1, 1.5); /* their mean is 2 */
+    expect_vector(nodes[3].rest.s, 1, -1, 1);
     expect_vector(nodes[4].rest.t, 0, .25, -.25);
     assert_true(nodes[2].rest.r.w == (int32_t)lround(HALF_ROOT * (1 << 30)) && nodes[2].rest.r.z == nodes[2].rest.r.w);
     assert_true(nodes[2].rest.r.x == 0 && nodes[2].rest.r.y == 0 && nodes[0].rest.r.w == 1 << 30);
 }
 
-static void the_root_turns_the_rig_and_moves_it_to_the_middle(void **state)
+static void the_root_turns_the_rig(void **state)
 {
     static const int32_t turn[3][3] = {{0, 0, 1 << 30}, {1 << 30, 0, 0}, {0, -(1 << 30), 0}};
     (void)state;
     assert_true(model_rig_find(&shared, &scene));
-    assert_true(model_rig_begin(&shared, &(struct model_fit){.centre = {1, -2, 400}, .scale = .5}, 1));
+    assert_true(model_rig_begin(&shared, &(struct model_fit){.centre = {1, -2, 40}, .scale = .5}, 1));
     const struct ph_xform *const root = &shared.model.motion->animation.root;
     assert_memory_equal(root->r, turn, sizeof turn);
-    assert_true(root->t.x == Q24(-.5) && root->t.y == Q24(1));
-    assert_int_equal(root->t.z, (int32_t)lround(-127.9999 * (1 << 24))); /* saturated */
+    expect_vector(root->t, 0, 0, 0);
+    gone(NULL);
+    fresh(NULL);
+    scene.clip_count = 0;
+    assert_true(model_rig_find(&shared, &scene));
+    assert_false(model_rig_begin(&shared, &(struct model_fit){.centre = {1, -2, 400}, .scale = .5}, 1));
+    assert_string_equal(shared.error, "cannot be shown: the translation in radii of the model of node 0 is 201, and "
+                                      "at most 120 is possible");
 }
 
 static void weights_stand_one_behind_the_other(void **state)
@@ -203,12 +231,13 @@ static void weights_stand_one_behind_the_other(void **state)
     begin();
     const struct animation *const a = &shared.model.motion->animation;
     assert_int_equal(a->weight_count, 4);
-    assert_true(a->rest_weights[0] == Q24(.5) && a->rest_weights[1] == Q24(-.25) && a->rest_weights[2] == 0);
-    assert_int_equal(a->rest_weights[3], (int32_t)lround(127.9999 * (1 << 24)));
+    assert_true(a->rest_weights[0] == Q24(1) && a->rest_weights[1] == Q24(-1) && a->rest_weights[2] == 0);
+    assert_int_equal(a->rest_weights[3], Q24(1)); /* of 200 */
+    assert_true(shared.rig->nodes[0].most_weights[1] == .25 && shared.rig->nodes[4].most_weights[0] == 200);
     assert_true(shared.rig->nodes[1].first_weight == 2 && shared.rig->nodes[4].first_weight == 3);
     gone(NULL);
     fresh(NULL);
-    scene.nodes[0].weight_count = 65536;
+    scene.nodes[0].weight_count = 65536, scene.nodes[0].weights = NULL;
     assert_true(model_rig_find(&shared, &scene));
     shared.arena = (struct demo_arena){.base = malloc(1 << 20), .size = 1 << 20};
     assert_false(model_rig_begin(&shared, &fit, 1));
@@ -343,6 +372,13 @@ static void joints_that_are_not_there_are_refused(void **state)
     assert_string_equal(shared.error, "is broken: a mesh with a skin names no joints");
 }
 
+/* The weights of node 2 get up to 1. */
+static void take_ones(void)
+{
+    free(shared.rig->nodes[2].most_weights);
+    shared.rig->nodes[2].most_weights = ones;
+}
+
 /* A quarter turn of 1, 2, 3 is -2, 1, 3; twice a quarter of it is half. */
 static void targets_are_turned_and_scaled_with_the_model(void **state)
 {
@@ -350,17 +386,25 @@ static void targets_are_turned_and_scaled_with_the_model(void **state)
     mesh.moved.target_count = 2, mesh.moved.targets = targets;
     scene.nodes[2].weight_count = 2;
     shared.rig->nodes[2].first_weight = 5;
+    take_ones();
     assert_true(bind_at(2, with_2));
     const struct animation_mesh *const m = moving();
     assert_true(m->morph.target_count == 2 && m->morph.vertex_count == 2 && m->first_weight == 5);
     for (int i = 0; i < 6; i++) {
         assert_int_equal(m->morph.d_positions[i / 3][i % 3], 0);
     }
-    assert_true(m->morph.d_positions[2][0] == -32767 && m->morph.d_positions[2][1] == Q15(.5) &&
-                m->morph.d_positions[2][2] == 32767);
-    assert_true(m->morph.d_positions[3][0] == 0 && m->morph.d_positions[3][1] == Q15(.125) &&
-                m->morph.d_positions[3][2] == Q15(-.25));
-    assert_true(shared.model.motion->rounding.target == 1.5 - 32767 / 32768.); /* what saturates is told */
+    assert_int_equal(m->bound.frac, 14); /* 1.5 has room */
+    assert_true(m->morph.d_positions[2][0] == Q14(-1) && m->morph.d_positions[2][1] == Q14(.5) &&
+                m->morph.d_positions[2][2] == Q14(1.5));
+    assert_true(m->morph.d_positions[3][0] == 0 && m->morph.d_positions[3][1] == Q14(.125) &&
+                m->morph.d_positions[3][2] == Q14(-.25));
+    assert_true(m->bound.positions[1][0] == Q14(1) && shared.model.motion->rounding.target == 0);
+    ones[1] = 6; /* 6 (1, .5, 1.5) and 1/2, 1/4, 0 */
+    assert_false(bind_at(2, with_2));
+    ones[1] = 1;
+    assert_string_equal(shared.error,
+                        "cannot be shown: a vertex of node 2 can get 9 radii of the model away from where "
+                        "it is bound, and at most 8 are possible");
     assert_null(m->morph.d_normals);
     assert_ptr_equal(m->morph.positions, m->bound.positions);
 }
@@ -379,6 +423,7 @@ static void targets_of_normals_turn_as_the_normals_do(void **state)
         mesh.moved.target_count = 2, mesh.moved.targets = targets;
         mesh.moved.target_normals = target_normals, mesh.moved.has_normals = true;
         scene.nodes[2].weight_count = 2;
+        take_ones();
         place.cofactors[0][1] = -4, place.cofactors[1][0] = 4, place.cofactors[2][2] = 4;
         place.mirrors = mirrors == 1;
         assert_true(bind_at(2, with_2));
@@ -435,6 +480,7 @@ static void an_arena_that_is_full_is_told(void **state)
     (void)state;
     mesh.moved.target_count = 2, mesh.moved.targets = targets;
     scene.nodes[2].weight_count = 2;
+    take_ones();
     assert_true(bind_at(2, with_2));
     const size_t used = shared.arena.used;
     for (size_t size = 0; size < used; size += 8) {
@@ -453,7 +499,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_node_of_its_own_draws_a_skin_where_the_first_joint_is, fresh, gone),
         cmocka_unit_test_setup_teardown(what_stands_still_has_no_rig, fresh, gone),
         cmocka_unit_test_setup_teardown(the_pose_at_rest_is_in_the_units_of_each_parent, fresh, gone),
-        cmocka_unit_test_setup_teardown(the_root_turns_the_rig_and_moves_it_to_the_middle, fresh, gone),
+        cmocka_unit_test_setup_teardown(the_root_turns_the_rig, fresh, gone),
         cmocka_unit_test_setup_teardown(weights_stand_one_behind_the_other, fresh, gone),
         cmocka_unit_test_setup_teardown(a_mesh_follows_its_own_node, begun, gone),
         cmocka_unit_test_setup_teardown(a_skin_follows_its_joints_by_their_bind_matrices, begun, gone),

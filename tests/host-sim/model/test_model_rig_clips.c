@@ -18,8 +18,11 @@ static const struct ph_clip *clip;
 
 /* Node 1 has no parent; node 0 is its child. */
 static struct model_node nodes[2] = {{.parent = 1}, {.parent = MODEL_NONE}};
-static struct model_rig_node rig_nodes[2] = {{.length = 32, .number = 5, .first_weight = 9},
-                                             {.length = 4, .number = 3, .first_weight = 2}};
+static double ones[8] = {1, 1, 1, 1, 1, 1, 1, 1};
+static struct model_rig_node rig_nodes[2] = {
+    {.length = {64, 64, 64}, .most_weights = ones, .number = 5, .first_weight = 9},
+    {.length = {8, 8, 8}, .most_weights = ones, .number = 3, .first_weight = 2}};
+static const struct model_fit fit = {.scale = .5};
 
 static bool make(struct model_clip *clips, uint32_t n)
 {
@@ -30,7 +33,7 @@ static bool make(struct model_clip *clips, uint32_t n)
     shared.rig = &rig;
     shared.model.motion = &motion;
     shared.arena = (struct demo_arena){.base = memory, .size = sizeof memory};
-    const bool done = model_rig_clips_make(&shared, &motion, .5);
+    const bool done = model_rig_clips_make(&shared, &motion, &fit);
     clip = motion.clips;
     return done;
 }
@@ -72,7 +75,6 @@ static void numbers_are_in_the_units_of_the_model(void **state)
         {PH_PATH_WEIGHTS, 1, 1, {0, 0}, 2, 24, {0, 0}},
         {PH_PATH_WEIGHTS, 1, 1, {0, 32767 / 65536.f}, 2, 16, {0, 32767 / 65536.}},
         {PH_PATH_WEIGHTS, 1, 1, {0, 65534 / 65536.f}, 2, 15, {0, 65534 / 65536.}},
-        {PH_PATH_TRANSLATION, 1, 3, {-1000, 2, NAN, 0, 0, 0}, 3, 8, {-120, 1, 0}}, /* what is too far */
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -90,6 +92,23 @@ static void numbers_are_in_the_units_of_the_model(void **state)
         assert_true(motion.rounding.translation == 0 && motion.rounding.scale == 0 && motion.rounding.weight == 0);
         assert_true(motion.rounding.rotation == 0);
     }
+}
+
+/* Translations count from the middle of the model where a node stands in no other, and weights as shares of the
+ * largest. 120 times the unit has room. */
+static void what_has_no_room_is_refused(void **state)
+{
+    static const float away[6] = {0, -240, 0, 0, 0, 240}, further[6] = {0, -240, 0, 0, 0, 240.5f};
+    struct model_track track = {.node = 1, .path = PH_PATH_TRANSLATION, .times = half, .keys = 2, .width = 3};
+    float copy[6];
+    (void)state;
+    assert_int_equal(make_one(track, away, 6)->keys[1], -120 * 256);
+    memcpy(copy, further, sizeof copy);
+    track.numbers = copy;
+    assert_false(make(&(struct model_clip){.tracks = &track, .count = 1}, 1));
+    assert_string_equal(shared.error,
+                        "cannot be shown: a clip has a translation in radii of the model of 120.2 at node "
+                        "1, and at most 120 is possible");
 }
 
 /* Numbers of .6 and .8 become shares of the greatest, which is 32767; its sign does not matter. */
@@ -215,7 +234,7 @@ static void clips_are_named_and_last_as_long_as_their_longest_track(void **state
     for (size_t size = 0; size < used; size += 8) { /* the arena may end anywhere */
         memset(&motion, 0, sizeof motion);
         shared.arena = (struct demo_arena){.base = memory, .size = size};
-        assert_false(model_rig_clips_make(&shared, &motion, .5));
+        assert_false(model_rig_clips_make(&shared, &motion, &fit));
         assert_non_null(strstr(shared.error, "too much memory"));
     }
     assert_true(make(clips, 0));
@@ -226,6 +245,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_are_in_the_units_of_the_model),
+        cmocka_unit_test(what_has_no_room_is_refused),
         cmocka_unit_test(rotations_use_all_bits),
         cmocka_unit_test(tangents_are_multiplied_by_the_time_between_keys),
         cmocka_unit_test(times_are_as_fine_as_the_clip_lets_them),

@@ -45,7 +45,7 @@ for (const file of files) {
     mixer.clipAction(clip).play()
     const said = spawnSync(dump, [file, clip.name, String(FRAMES)], { encoding: 'utf8', maxBuffer: 1 << 28 })
     const [fit, ...lines] = said.stdout.trim().split('\n').map((line) => line.split(' '))
-    const [x, y, z] = fit.slice(1, 4).map((v) => v / (1 << 24)), scale = Number(fit[4])
+    const [centre, scale] = [fit.slice(1, 4).map(Number), Number(fit[4])]
     let most = 0, where = '', turned = 0
     for (const [frame, number, ...numbers] of lines) {
       const time = clip.duration > 0 ? Math.floor(frame % (clip.duration * 30) * 65536 / 30) / 65536 : 0
@@ -53,10 +53,9 @@ for (const file of files) {
       gltf.scene.updateMatrixWorld(true)
       const mesh = meshes(gltf.scene)[number]
       order(mesh).forEach((vertex, i) => {
-        const p = mesh.getVertexPosition(vertex, new THREE.Vector3()).applyMatrix4(mesh.matrixWorld).multiplyScalar(scale)
-        const want = [p.x + x, p.y + y, p.z + z]
-        want.forEach((v, k) => {
-          const off = Math.abs(v * 65536 - Number(numbers[6 * i + k]))
+        const p = mesh.getVertexPosition(vertex, new THREE.Vector3()).applyMatrix4(mesh.matrixWorld)
+        p.toArray().forEach((v, k) => {
+          const off = Math.abs((v - centre[k]) * scale * 65536 - Number(numbers[6 * i + k]))
           if (!(off <= most)) [most, where] = [off, `frame ${frame}, mesh ${number}, vertex ${vertex}`]
         })
         const n = mesh.morphTargetInfluences ? normal(mesh, vertex).toArray() : [] // others' joints scale axes differently

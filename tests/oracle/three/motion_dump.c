@@ -1,7 +1,8 @@
 /*
  * Usage: motion_dump FILE.gltf CLIP FRAMES
- * Prints how far the model is moved and scaled, and for each frame of the clip the vertices of each mesh that moves,
- * and their normals: fit x y z scale FRAME MESH x y z nx ny nz ...     in LSB of Q16.16, and of Q1.14
+ * Prints where the middle of the model is in the file, how it is scaled, and for each frame of the clip the vertices of
+ * each mesh that moves, and their normals: fit x y z scale FRAME MESH x y z nx ny nz ...     in LSB of Q16.16, and of
+ * Q1.14
  */
 #include "model.h"
 
@@ -21,7 +22,8 @@ int main(int argc, char *argv[])
     if (stage == NULL) {
         return EXIT_FAILURE;
     }
-    printf("fit %d %d %d %.17g\n", (int)a->root.t.x, (int)a->root.t.y, (int)a->root.t.z, model->motion->scale);
+    const double *centre = model->motion->centre;
+    printf("fit %.17g %.17g %.17g %.17g\n", centre[0], centre[1], centre[2], model->motion->scale);
     for (uint32_t frame = 0; frame < strtoul(argv[3], NULL, 10); frame++) {
         animation_move(stage, NULL, frame);
         for (uint32_t i = 0; i < a->mesh_count; i++) {
