@@ -6,10 +6,6 @@
 
 #define ROUND8(n) (((n) + 7) & ~(size_t)7)
 
-/* The time in which a count of 32 bits begins anew: so many whole seconds, and frames. */
-#define WRAP_SECONDS ((uint32_t)((1ULL << 32) / ANIMATION_FRAMES_A_SECOND))
-#define WRAP_REST    ((uint32_t)((1ULL << 32) % ANIMATION_FRAMES_A_SECOND))
-
 #define STAGE_BYTES_32 40
 #define MESH_BYTES_32  52
 _Static_assert(sizeof(void *) > 4 || sizeof(struct animation_stage) == STAGE_BYTES_32, "STAGE_BYTES_32 is wrong");
@@ -99,20 +95,34 @@ struct animation_stage *animation_begin(struct demo_arena *arena, const struct a
     return s;
 }
 
-/* Where the clip is in a frame, Q16.16 seconds, rounded down. */
-static fx_t time_of(const struct ph_clip *clip, uint64_t frame)
+/* Where the clip is at a time, Q16.16 seconds. */
+static fx_t time_of(const struct ph_clip *clip, struct demo_clock clock)
 {
     const uint32_t duration = clip->duration > 0 ? (uint32_t)clip->duration : 1;
-    const uint32_t low = (uint32_t)frame, wraps = (uint32_t)(frame >> 32);
-    const uint32_t rest = low % ANIMATION_FRAMES_A_SECOND + wraps * WRAP_REST;
-    uint32_t time = low / ANIMATION_FRAMES_A_SECOND + wraps * WRAP_SECONDS + rest / ANIMATION_FRAMES_A_SECOND;
+    uint32_t time = clock.seconds;
     for (uint32_t bit = 0; bit < 16; bit++) { /* times FX_ONE, which would overflow after 65,536 s */
         time = time % duration * 2;
     }
-    return (fx_t)((time % duration + rest % ANIMATION_FRAMES_A_SECOND * FX_ONE / ANIMATION_FRAMES_A_SECOND) % duration);
+    return (fx_t)((time % duration + clock.part) % duration);
+}
+
+/* The time of a frame, rounded down, below 2^32 s. In the 2^32 frames after which a count of 32 bits begins anew pass
+ * so many whole seconds, and frames. */
+static struct demo_clock clock_of(uint64_t frame, uint32_t fps)
+{
+    const uint32_t wrap_seconds = UINT32_MAX / fps + (UINT32_MAX % fps == fps - 1);
+    const uint32_t wrap_rest = (UINT32_MAX % fps + 1) % fps;
+    const uint32_t low = (uint32_t)frame, wraps = (uint32_t)(frame >> 32), rest = low % fps + wraps * wrap_rest;
+    return (struct demo_clock){.seconds = low / fps + wraps * wrap_seconds + rest / fps,
+                               .part = (uint16_t)(rest % fps * FX_ONE / fps)};
 }
 
 void animation_move(const struct animation_stage *s, const struct ph_renderer *r, uint64_t frame)
+{
+    animation_move_at(s, r, clock_of(frame, ANIMATION_FRAMES_A_SECOND));
+}
+
+void animation_move_at(const struct animation_stage *s, const struct ph_renderer *r, struct demo_clock clock)
 {
     const struct animation *const a = s->animation;
     ph_rig_rest(&a->rig, s->pose);
@@ -120,7 +130,7 @@ void animation_move(const struct animation_stage *s, const struct ph_renderer *r
         s->weights[i] = a->rest_weights[i];
     }
     if (a->clip) {
-        ph_clip_sample(a->clip, time_of(a->clip, frame), s->pose, s->weights);
+        ph_clip_sample(a->clip, time_of(a->clip, clock), s->pose, s->weights);
     }
     ph_rig_places(&a->rig, s->pose, &a->root, s->places);
     for (uint32_t i = 0; i < a->mesh_count; i++) {
@@ -173,7 +183,9 @@ static uint64_t clip_frame(struct animation_stage *s, uint32_t frame)
 int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     struct animation_stage *const s = context->state;
-    animation_move(s, r, clip_frame(s, frame));
+    const uint32_t fps = context->clip_fps != 0 ? context->clip_fps : ANIMATION_FRAMES_A_SECOND;
+    const uint64_t number = clip_frame(s, frame);
+    animation_move_at(s, r, fps == DEMO_CLIPS_BY_CLOCK ? context->clock : clock_of(number, fps));
     context->state = s->view;
     const int status = s->is_still ? demo_still_frame(context, r, frame) : demo_turntable_frame(context, r, frame);
     context->state = s;

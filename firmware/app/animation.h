@@ -62,9 +62,12 @@ struct animation_need animation_need(const struct animation *animation);
 struct animation_stage *animation_begin(struct demo_arena *arena, const struct animation *animation,
                                         const struct ph_mesh *meshes, uint32_t mesh_count);
 
-/* Moves the vertices to where the clip has them in a frame (below 2^36), by all cores that a renderer has; r may be
- * NULL. */
+/* Moves the vertices to where the clip has them in a frame (below 2^36) of 1/30 s, by all cores that a renderer has; r
+ * may be NULL. */
 void animation_move(const struct animation_stage *stage, const struct ph_renderer *r, uint64_t frame);
+
+/* animation_move for a time; the clip repeats without a seam. */
+void animation_move_at(const struct animation_stage *stage, const struct ph_renderer *r, struct demo_clock clock);
 
 /* Makes a demo of an animation, before an eye of its own, or (NULL) on the turntable; see demo_still_init(),
  * demo_turntable_init(). The turntable's camera is that for the outline. */

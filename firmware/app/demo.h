@@ -25,6 +25,17 @@ struct demo_camera {
     struct ph_projection projection;
 };
 
+/* A time of clips: whole seconds, 1/65536 of one, and 1/62500 of that, which is what a microsecond leaves. */
+struct demo_clock {
+    uint32_t seconds;
+    uint16_t part, rest;
+};
+
+/* The time so many microseconds later. */
+struct demo_clock demo_clock_after(struct demo_clock clock, uint32_t us);
+
+#define DEMO_CLIPS_BY_CLOCK UINT16_MAX /* in place of frames in a second */
+
 /* What a demo is told and keeps. A caller sets arena, width and height; all else is zero at first. */
 struct demo_context {
     struct demo_arena arena;
@@ -39,7 +50,9 @@ struct demo_context {
     void *scratch;    /* demo_scratch_bytes(), 2-byte aligned; NULL: the demo does without it */
     size_t scratch_bytes;
     struct ph_blur blur;
-    uint32_t frame; /* for band(), of a demo whose frame() sets it */
+    uint16_t clip_fps;       /* frames in a second of clips, 1 .. 1000; 0: 30; DEMO_CLIPS_BY_CLOCK: they run by clock */
+    struct demo_clock clock; /* since the scene began */
+    uint32_t frame;          /* for band(), of a demo whose frame() sets it */
 };
 
 /*

@@ -16,6 +16,9 @@ extern const size_t image_memory_bytes;
 extern uint32_t image_tiles[];
 extern const size_t image_tiles_bytes;
 
+/* Frames in a second of clips; DEMO_CLIPS_BY_CLOCK: they run by the kit's clock (make's CLIP_FPS=N says otherwise). */
+extern const uint16_t image_clip_fps;
+
 /* Static memory for the scene of the next frame (see runner_config.h). NULL and 0 bytes with one core. */
 extern void *const image_ahead;
 extern const size_t image_ahead_bytes;

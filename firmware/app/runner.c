@@ -52,6 +52,7 @@ static int open_demo(struct runner *runner, const struct demo *demo, const struc
                      const struct scene_memory *s)
 {
     const bool first = demo == runner->config.demo;
+    runner->clock = (struct demo_clock){.seconds = 0};
     runner->demo = demo;
     runner->context = (struct demo_context){.arena = {runner->scene + s->arena_at, s->arena_bytes, 0},
                                             .state = first ? runner->config.state : NULL,
@@ -59,6 +60,7 @@ static int open_demo(struct runner *runner, const struct demo *demo, const struc
                                             .width = p->width,
                                             .height = p->height,
                                             .camera = runner->config.camera,
+                                            .clip_fps = runner->config.clip_fps,
                                             .scratch = s->scratch_bytes > 0 ? runner->scene + s->scratch_at : NULL,
                                             .scratch_bytes = s->scratch_bytes};
     return demo->init(&runner->context);
@@ -200,12 +202,25 @@ int runner_buttons(struct runner *runner, uint32_t more)
     return status;
 }
 
+struct demo_clock demo_clock_after(struct demo_clock clock, uint32_t us)
+{
+    const uint32_t rest = us % 1000000 * 4096 + clock.rest, part = clock.part + rest / 62500; /* 2^16 / 10^6 */
+    return (struct demo_clock){clock.seconds + us / 1000000 + (part >> 16), (uint16_t)part, (uint16_t)(rest % 62500)};
+}
+
+void runner_pass(struct runner *runner, uint32_t us)
+{
+    runner->clock = demo_clock_after(runner->clock, us);
+    runner->step = (uint16_t)(us / 64 < UINT16_MAX ? us / 64 : UINT16_MAX);
+}
+
 int runner_scene(struct runner *runner, uint32_t frame)
 {
     const struct runner_ahead *const a = runner->config.ahead;
     const bool ahead = runner->ahead;
     drop_ahead(runner);
     if (!ahead || a->frame != frame) {
+        runner->context.clock = runner->clock;
         return runner->demo->frame(&runner->context, &runner->renderer, frame);
     }
     runner->renderer = a->renderer;
@@ -240,6 +255,7 @@ void runner_ahead(struct runner *runner, uint32_t frame)
     config.triangles = config.vertices;
     a->status = ph_renderer_init(&a->renderer, &config);
     a->context = runner->context;
+    a->context.clock = demo_clock_after(runner->clock, runner->step * 64U);
     a->demo = runner->demo;
     a->frame = frame;
     a->buttons = runner->buttons;

@@ -46,10 +46,12 @@ struct runner {
     uint16_t *samples; /* or NULL */
     uint8_t *scene;    /* the rest of memory: lists, arena, scratch of the demo */
     uint16_t band_count, band_next;
-    uint32_t buttons;      /* held during the last frame */
-    uint32_t edges_missed; /* frames that waited in vain for the tearing-effect edge, and were sent without it */
-    bool ahead;            /* the other core makes a scene, or has made it */
-    bool sending;          /* a frame's last bands may still be on the wire */
+    uint32_t buttons;        /* held during the last frame */
+    uint32_t edges_missed;   /* frames that waited in vain for the tearing-effect edge, and were sent without it */
+    struct demo_clock clock; /* of the next frame, since its scene began */
+    uint16_t step;           /* from the frame before to the next, in 64 us; 65,535: so long or longer */
+    bool ahead;              /* the other core makes a scene, or has made it */
+    bool sending;            /* a frame's last bands may still be on the wire */
 };
 
 /* Opens a runner on a kit. 0; PH_ERR_NOMEM: memory_bytes or budget_bytes is too small for the bands and the scene's
@@ -58,6 +60,10 @@ int runner_open(struct runner *runner, const struct hal *hal, const struct runne
 
 /* Draws a frame and sends it. 0, or an error of the renderer (PH_ERR_..) or the panel (HAL_E..). */
 int runner_frame(struct runner *runner, uint32_t frame);
+
+/* Lets time pass for clips that run by the clock: since the frame before, in microseconds. A scene that the other core
+ * makes ahead is that of a time as much later. */
+void runner_pass(struct runner *runner, uint32_t us);
 
 /* The steps of runner_frame. runner_buttons adds `more` to the kit's own buttons; up and down together mean select,
  * which some kits lack. Errors: it PH_ERR_NOMEM as runner_open, runner_scene PH_ERR_.., runner_send HAL_E... */

@@ -11,7 +11,8 @@ struct runner_config {
     uint8_t rotation;                           /* enum panel_rotation */
     const struct ph_depth_format *depth_format; /* PH_DEPTH_... */
     uint16_t band_height;                       /* lines; more than the picture has: the whole picture */
-    uint32_t clock_hz;                          /* bus clock asked for; 0: the board's */
+    uint16_t clip_fps;       /* see struct demo_context; DEMO_CLIPS_BY_CLOCK: call runner_pass() before each frame */
+    uint32_t clock_hz;       /* bus clock asked for; 0: the board's */
     uint32_t budget_bytes;   /* for all memory on a 32-bit target, in bands of the board's own height (the picture does
                                 not depend on band_height); a board's is its scene_bytes */
     const struct demo *demo; /* the first; the select button takes the next on demo_list that fits */

@@ -24,6 +24,7 @@
 
 #include <signal.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #define DEFAULT_DEMO "turntable"
@@ -262,6 +263,7 @@ static int choose(const struct sim_options *o, struct chosen *chosen, struct sim
     setup->band_height = o->band != 0 ? o->band : setup->board->band_height;
     setup->depth = o->depth;
     setup->overlay = o->overlay;
+    setup->clip_fps = o->clip_fps == 0 && o->frames == UINT32_MAX ? DEMO_CLIPS_BY_CLOCK : (uint16_t)o->clip_fps;
     setup->antialias = o->antialias;
     const unsigned width = panel_width(setup->board->panel, setup->rotation);
     const unsigned height = panel_height(setup->board->panel, setup->rotation);
@@ -404,6 +406,13 @@ static int press(const struct sim_options *o, struct stage *stage, struct sim_pl
     return 0;
 }
 
+static uint64_t now_us(void)
+{
+    struct timespec now = {.tv_sec = 0};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000 + (uint64_t)now.tv_nsec / 1000;
+}
+
 static int run_frames(const struct sim_options *o, struct stage *stage, struct sim_player *p)
 {
     const bool drawn =
@@ -411,7 +420,11 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
     const bool listed = o->stats || (o->crc && (stage->out.kind == FRAME_OUT_STREAM || isatty(STDOUT_FILENO)));
     const bool bar = drawn && !listed && !o->show_window; /* lines about frames where the bar would be tell enough */
     int status = o->matrix || o->point_set ? show_cameras(o, report_file(&stage->out), p, stage->chosen->writing) : 0;
+    uint64_t before_us = now_us();
     for (uint32_t i = 0; drawn && i < o->frames && status == 0 && signal_stop == 0; i++) {
+        const uint64_t us = now_us();
+        runner_pass(&p->runner, (uint32_t)(us - before_us));
+        before_us = us;
         status = press(o, stage, p, o->start + i);
         if (status != 0) {
             break;

@@ -192,6 +192,10 @@ static const struct option_row rows[] = {
     MODEL_OPTION_ROWS(struct sim_options, model_options),
     {"clip", "NAME", "the animation of the model that plays; its first by default", "the name of an animation",
      .at = offsetof(struct sim_options, clip)},
+    {"clip-fps", "N",
+     "frames in a second of the animation: frame number F shows it at F / N s; 30 by default, but a window that its\n"
+     "        user closes shows it by the clock",
+     "a whole number, 1 .. 1000", .at = offsetof(struct sim_options, clip_fps), .least = 1, .most = 1000},
     {"max-triangles", "N|all|fit",
      "simplifies the model to N triangles at most; fit: to what the memory of the --board has room for, as its image\n"
      "        is made. fit by default for a microcontroller kit, else all",
@@ -375,6 +379,7 @@ static int check_together(const struct sim_options *o)
     }
     const struct model_options *const m = &o->model_options;
     const char *const of_model = o->clip != NULL      ? "clip"
+                                 : o->clip_fps != 0   ? "clip-fps"
                                  : o->goal_set        ? "max-triangles"
                                  : m->filter != NULL  ? "filter"
                                  : m->up != NULL      ? "up"

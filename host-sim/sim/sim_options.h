@@ -23,6 +23,7 @@ struct sim_options {
     const char *view;  /* of the demo, or NULL */
     const char *model; /* path of a model file, or NULL */
     const char *clip;  /* of the model; NULL: its first */
+    uint32_t clip_fps; /* 0: not given */
     struct model_options model_options;
     struct asset_goal goal; /* how far it is simplified */
     bool goal_set;          /* else the board's memory is the goal */

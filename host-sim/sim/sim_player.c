@@ -33,6 +33,7 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
                                    .state = setup->state,
                                    .view = setup->view,
                                    .camera = setup->camera,
+                                   .clip_fps = setup->clip_fps,
                                    .overlay = setup->overlay,
                                    .antialiasing = setup->antialias ? PH_ANTIALIAS_2X2 : NULL};
     const uint16_t width = panel_width(board->panel, setup->rotation);

@@ -22,6 +22,7 @@ struct sim_player_setup {
     const char *cure; /* what to do where the board has not the memory, or NULL */
     const char *view; /* one of the demo's views, or NULL: the first */
     struct demo_camera camera;
+    uint16_t clip_fps; /* see struct demo_context */
     bool antialias;
     bool overlay; /* frame time (of the bus) and triangles over the picture */
 };

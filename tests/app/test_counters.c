@@ -106,6 +106,58 @@ static void assert_clip(struct demo_stage *s, uint64_t frame)
     }
 }
 
+/* Frames of another rate, and the clock in place of frames. */
+static void a_clip_has_the_time_that_the_context_says(void **state)
+{
+    static const uint32_t rates[] = {1, 7, 13, 24, 60, 1000};
+    (void)state;
+    clip.duration = 163840, clip.time_shift = 2;
+    struct demo_stage s = demo_stage_open(&clip_demo, 16, 12);
+    struct animation_stage *const stage = s.context.state;
+    const struct ph_pose *const pose = stage->pose;
+    for (size_t i = 0; i < sizeof rates / sizeof rates[0]; i++) {
+        s.context.clip_fps = (uint16_t)rates[i];
+        stage->wraps = stage->quarter = 0;
+        const uint64_t end = (uint64_t)(rates[i] < 9 ? rates[i] : 9) << 32; /* seconds have 32 bits */
+        for (uint64_t frame = 0; frame < end; frame += frame < 300 ? 1 : (1U << 30) - 7) {
+            struct ph_pose right;
+            ph_rig_rest(&moving.rig, &right);
+            ph_clip_sample(&clip, (fx_t)(frame * FX_ONE / rates[i] % (uint64_t)clip.duration), &right, NULL);
+            assert_int_equal(clip_demo.frame(&s.context, &s.rig.r, (uint32_t)frame), PH_OK);
+            assert_memory_equal(&pose->t, &right.t, sizeof right.t);
+        }
+    }
+    s.context.clip_fps = DEMO_CLIPS_BY_CLOCK;
+    for (uint32_t k = 0; k < 1000; k++) {
+        const struct demo_clock clock = {k * 4294967, (uint16_t)(k * 65), 0};
+        struct ph_pose right;
+        ph_rig_rest(&moving.rig, &right);
+        ph_clip_sample(&clip, (fx_t)(((uint64_t)clock.seconds * FX_ONE + clock.part) % (uint64_t)clip.duration), &right,
+                       NULL);
+        s.context.clock = clock;
+        assert_int_equal(clip_demo.frame(&s.context, &s.rig.r, 5), PH_OK);
+        assert_memory_equal(&pose->t, &right.t, sizeof right.t);
+    }
+    demo_stage_close(&s);
+}
+
+/* Microseconds add up without a loss, whatever their steps: 2^16 parts are 10^6 of them. */
+static void the_clock_loses_nothing(void **state)
+{
+    static const uint32_t steps[] = {1, 15, 16, 33333, 76923, 999999, 1000000, 123456789, UINT32_MAX};
+    (void)state;
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+        struct demo_clock clock = {0, 0, 0};
+        for (uint64_t n = 1; n <= 200000; n++) {
+            const uint64_t us = n * steps[i];
+            clock = demo_clock_after(clock, steps[i]);
+            if (clock.seconds != (uint32_t)(us / 1000000) || clock.part != us % 1000000 * 65536 / 1000000) {
+                fail_msg("%u us, %u times", (unsigned)steps[i], (unsigned)n);
+            }
+        }
+    }
+}
+
 static void a_clip_plays_on_at_any_count(void **state)
 {
     static const fx_t durations[] = {0, 1, 2, 2184, 65535, 65536, 65537, 163840, 7777777, FX_MAX - 1, FX_MAX};
@@ -312,6 +364,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_view_of_every_demo_repeats_its_loop_at_any_count),
         cmocka_unit_test(a_clip_plays_on_at_any_count),
+        cmocka_unit_test(a_clip_has_the_time_that_the_context_says),
+        cmocka_unit_test(the_clock_loses_nothing),
         cmocka_unit_test(a_steered_snake_creeps_on_at_any_count),
         cmocka_unit_test(a_kit_sends_alike_whatever_its_clock_and_its_frames_count),
     };

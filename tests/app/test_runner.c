@@ -10,6 +10,7 @@
 #include "runner.h"
 #include "sim.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -533,6 +534,7 @@ static void set_all(struct runner_config *config)
     config->camera.view_set = true;
     config->camera.view.t.z = 77;
     config->depth_exponent = 3;
+    config->clip_fps = 25;
 }
 
 /* State and view are the first demo's alone; the camera is everybody's. */
@@ -544,6 +546,7 @@ static void a_demo_is_told_what_the_configuration_says(void **state)
     assert_ptr_equal(told.at_init.state, &told);
     assert_string_equal(told.at_init.view, "a view");
     assert_int_equal(told.at_init.camera.view.t.z, 77);
+    assert_int_equal(told.at_init.clip_fps, 25);
     assert_int_equal(s->runner.renderer.config.depth_exponent, 3);
     assert_int_equal(runner_take(&s->runner, &second), 0);
     assert_null(told.at_init.state);
@@ -645,6 +648,37 @@ static void the_scene_made_ahead_is_the_next_one_with_its_context(void **state)
     stage_close(s);
 }
 
+static double seconds_of(struct demo_clock clock)
+{
+    return clock.seconds + clock.part / 65536.;
+}
+
+/* 13 frames a second: each scene has the time that has passed before its frame, also one that the other core makes
+ * before that time has come. Where a frame takes longer than the one before, one scene is early. */
+static void clips_run_by_the_clock(void **state)
+{
+    const struct demo demo = teller("first"), second = teller("second");
+    (void)state;
+    for (int ahead = 0; ahead < 2; ahead++) {
+        struct stage *s = teller_open(&demo, ahead == 1 ? set_cores : NULL);
+        for (uint32_t frame = 0; frame < 130; frame++) {
+            runner_pass(&s->runner, frame == 0 ? 0 : 76923);
+            assert_int_equal(runner_scene(&s->runner, frame), 0);
+            const double off = seconds_of(s->runner.context.clock) - frame * .076923;
+            assert_true(frame == 1 ? off <= 0 : fabs(off) < 1e-4);
+            runner_ahead(&s->runner, frame + 1);
+            assert_int_equal(s->runner.ahead, ahead == 1);
+        }
+        runner_pass(&s->runner, 100000);
+        assert_int_equal(runner_scene(&s->runner, 130), 0);
+        assert_true(fabs(seconds_of(s->runner.context.clock) - (ahead == 1 ? 130 * .076923 : 129 * .076923 + .1)) <
+                    1e-4);
+        assert_int_equal(runner_take(&s->runner, &second), 0);
+        assert_true(seconds_of(s->runner.clock) == 0 && s->runner.context.clip_fps == 0);
+        stage_close(s);
+    }
+}
+
 static void a_scene_is_made_ahead_only_where_it_can_be_and_earns(void **state)
 {
     (void)state;
@@ -686,6 +720,7 @@ int main(void)
         cmocka_unit_test(the_crc_is_that_of_channels_of_8_bits),
         cmocka_unit_test(a_first_demo_that_is_not_listed_comes_after_the_last),
         cmocka_unit_test(the_scene_made_ahead_is_the_next_one_with_its_context),
+        cmocka_unit_test(clips_run_by_the_clock),
         cmocka_unit_test(a_scene_is_made_ahead_only_where_it_can_be_and_earns),
         cmocka_unit_test(no_buffer_is_touched_while_it_is_sent),
         cmocka_unit_test(select_takes_the_next_demo_that_fits),

@@ -22,7 +22,7 @@ builds() {
     sed -e 's/^static int run(/static volatile uint32_t first_frame = 0x7E57F00D;\n\n&/' -e 's/struct console console = {/&.line_frame = first_frame, /' \
         -e 's/for (uint32_t frame = 0; status/for (uint32_t frame = first_frame; status/' firmware/app/images/demos.c >"$dir/late.c" || return 1
     [ "$(grep -c 'first_frame' "$dir/late.c")" = 3 ] && "$B/pinhole-asset" tests/host-sim/asset/moving.gltf -o "$dir/moving.phs" --board "$board" &&
-        make_image firmware BOARD="$board" APP="$dir/late.c" CORES=1 && make_image firmware BOARD="$board" APP="$dir/late.c" CORES=2
+        make_image firmware BOARD="$board" APP="$dir/late.c" CORES=1 CLIP_FPS=30 && make_image firmware BOARD="$board" APP="$dir/late.c" CORES=2 CLIP_FPS=30
 }
 
 little_endian() { # a word as bytes
@@ -32,7 +32,7 @@ little_endian() { # a word as bytes
 
 late_image() { # cores, first frame, binary scene or nothing: $dir/late.elf and .bin
     local name at file
-    [ "$1" = 1 ] && name=$board-late || name=$board-late-cores$1
+    [ "$1" = 1 ] && name=$board-late-fps30 || name=$board-late-cores$1-fps30
     cp "$B/firmware/$name.elf" "$dir/late.elf" && cp "$B/firmware/$name.bin" "$dir/late.bin" || return 1
     at=$(LC_ALL=C grep -obUaP '\x0D\xF0\x57\x7E' "$dir/late.bin" | cut -d: -f1)
     little_endian "$2" | dd of="$dir/late.bin" bs=1 seek="$at" conv=notrunc status=none || return 1

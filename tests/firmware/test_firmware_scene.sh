@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A binary scene in the flash of an emulated RP2350 with two cores (CHIP=rp2040: an RP2040 with one): the image draws the
-# simulator's frames of it. MOMENTS=100 (long_firmware_scene.sh, both chips): it says what is wrong with a damaged one, and shows
-# its own demos then, at whatever of 100 moments the writing was interrupted.
+# simulator's frames of it, in which clips run by frames. MOMENTS=100 (long_firmware_scene.sh, both chips): it says what is
+# wrong with a damaged one, and shows its own demos then, at whatever of 100 moments the writing was interrupted.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -10,14 +10,14 @@ unset MAKEFLAGS
 B=${B:-build}
 MOMENTS=${MOMENTS-}
 export CHIP=${CHIP:-rp2350}
-if [ "$CHIP" = rp2040 ]; then board=pico-display cores=1 made=pico-display-demos; else board=pico2-display-2 cores=2 made=pico2-display-2-demos-cores2; fi
+if [ "$CHIP" = rp2040 ]; then board=pico-display cores=1 made=pico-display-demos-fps30; else board=pico2-display-2 cores=2 made=pico2-display-2-demos-cores2-fps30; fi
 offset=$((0x80000))
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
 host-sim/emulate/emulate_rp2.sh --install 2>/dev/null || { echo "no rp2040js: needs node, npm and its registry" && exit 77; }
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 make -s -j2 B="$B" "$B/pinhole-asset" "$B/pinhole-sim" "$B/pinhole-wire" || exit 1
-make_image firmware BOARD="$board" CORES="$cores" >/dev/null || exit 1
+make_image firmware BOARD="$board" CORES="$cores" CLIP_FPS=30 >/dev/null || exit 1
 cp "$B/firmware/$made.elf" "$dir/a.elf" || exit 1
 "$B/pinhole-asset" tests/host-sim/asset/scene.gltf -o "$dir/scene.phs" --board "$board" || exit 1
 "$B/pinhole-asset" tests/host-sim/asset/moving.gltf -o "$dir/moving.phs" --board "$board" || exit 1

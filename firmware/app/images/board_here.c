@@ -3,7 +3,7 @@
  *   BOARD_HERE   the board's symbol          MEMORY_BYTES  its scene_bytes (firmware/tools/board_facts.c reads it)
  *   DEMO_HERE    the first demo's symbol     TILES_BYTES   memory for signatures of tiles, or 0
  *   AHEAD_BYTES  memory for the next frame's scene, or 0
- *   IMAGE_BUILD  image_build
+ *   IMAGE_BUILD  image_build                  CLIP_FPS      frames in a second of clips, or DEMO_CLIPS_BY_CLOCK
  *   SCENE_AT     where a binary scene may lie in flash, of at most SCENE_BYTES; 0: nowhere
  */
 #include "demo.h"
@@ -32,5 +32,6 @@ void *const image_ahead = AHEAD_BYTES > 0 ? ahead : NULL;
 const size_t image_ahead_bytes = AHEAD_BYTES;
 const void *const image_scene = (const void *)(uintptr_t)(SCENE_AT);
 const size_t image_scene_bytes = SCENE_BYTES;
+const uint16_t image_clip_fps = CLIP_FPS;
 
 #endif

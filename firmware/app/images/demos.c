@@ -23,6 +23,7 @@ struct console {
     bool holding;
     bool reporting;      /* a report was asked for */
     uint32_t buttons;    /* for the next frame */
+    uint32_t frame_us;   /* when the frame before began */
     uint32_t counted_us; /* until when time is counted */
     uint32_t passed_ms;  /* since it last wrote a line about frames; UINT32_MAX: so long or longer */
     uint32_t line_frame; /* the next frame then */
@@ -90,9 +91,12 @@ static void listen(struct console *console, const struct hal *hal)
     }
 }
 
-static int draw(struct runner *runner, const struct console *console, uint32_t frame)
+static int draw(struct runner *runner, struct console *console, uint32_t frame)
 {
     const struct demo *before = runner->demo;
+    const uint32_t now = runner->hal.ops->time_us(runner->hal.context);
+    runner_pass(runner, console->first ? 0 : now - console->frame_us);
+    console->frame_us = now;
     int status = runner_buttons(runner, console->buttons);
     status = status == 0 ? runner_scene(runner, frame) : status;
     if (status == 0 && !console->holding) {
@@ -253,6 +257,7 @@ static int open(struct runner *runner, struct panel_tiles *tiles)
                                          .ahead = image_ahead,
                                          .ahead_bytes = image_ahead_bytes,
                                          .demo = demo_here,
+                                         .clip_fps = image_clip_fps,
                                          .sender = sender(tiles),
                                          .memory = image_memory,
                                          .memory_bytes = image_memory_bytes};
