@@ -1,13 +1,15 @@
 /*
- * advise: which near plane, format and bits separate two parallel planes, and what a near plane separates. A solution
- * comes from the formula of the format (see lab.h); then it is drawn and measured, with planes that face the camera and
- * with planes that lean (depth_planes_count.h), which the sub-pixel grid moves. For a scene see depth_advise_scene.c.
+ * advise: which near plane, format and bits separate two parallel planes, and what a near plane separates. What it
+ * calls enough is the bound of depth_separation.h, and the near planes are solved for that. Beside it stands what was
+ * found: the largest separation that the renderer needs on planes that face the camera and on planes that lean
+ * (depth_planes_count.h). For a scene see depth_advise_scene.c.
  */
 #include "complain.h"
 #include "progress.h"
 #include "depth_advise_scene.h"
 #include "depth_budget_terms.h"
 #include "depth_planes_count.h"
+#include "depth_separation.h"
 #include "lab_num.h"
 #include "lab_search.h"
 
@@ -28,10 +30,9 @@ struct question {
     struct lab_search search;
 };
 
-/* The separation that a near plane gives, in LSBs; 0: the renderer refuses this camera. */
+/* The separation that a near plane gives at every distance up to z, in LSBs; 0: the renderer refuses this camera. */
 struct reach {
-    uint32_t at_z;
-    uint32_t to_z; /* at every distance from the near plane to z */
+    uint32_t bound, found;
 };
 
 #define NEVER UINT32_MAX /* no separation does */
@@ -64,27 +65,39 @@ static double head_of(int exponent)
     return 1 - ldexp(1, exponent > 4 ? exponent - 13 : -9);
 }
 
-/* The separation of leaning planes, the farthest row of which is at z, in LSBs; without room for them, predicted. */
-static uint32_t leaning(const struct question *q, const struct lab_format *format, fx_t near_z, fx_t z)
+static struct depth_lab lab_with(const struct question *q, const struct lab_format *format, fx_t near_z)
 {
     struct depth_lab lab = *q->lab;
-    struct planes_canvas canvas;
-    double apart = HUGE_VAL;
     lab.near_z = near_z;
     lab.exponent = format->exponent;
+    return lab;
+}
+
+/* What is enough at every tilt up to that of the question, and for all of the rest. */
+static uint32_t bound(const struct question *q, const struct lab_format *format, fx_t near_z)
+{
+    const struct depth_lab lab = lab_with(q, format, near_z);
+    const double enough = depth_separation_m(format->format, &lab, q->z * LSB, fabs(q->tilt_deg), depth_way_px(&lab));
+    return depth_separation_lsbs(enough);
+}
+
+/* What planes need that lean in all directions, the farthest row of which is at z; 0: they have no room. */
+static uint32_t leaning(const struct question *q, const struct lab_format *format, fx_t near_z, fx_t z)
+{
+    const struct depth_lab lab = lab_with(q, format, near_z);
+    struct planes_canvas canvas;
+    double apart = HUGE_VAL;
     if (depth_planes_open(&canvas, &lab, format->format) == 0) {
-        const struct planes_lean lean = {z * LSB, q->tilt_deg, depth_metres(lab.azimuth_deg)};
-        const struct ph_depth_format *const drawn = format->format;
-        apart = depth_planes_sweep(&canvas, drawn, lean).measured_m;
-        apart = isfinite(apart) ? apart : depth_planes_predicted_m(&lab, drawn, z * LSB, 0, q->tilt_deg);
+        const struct planes_lean lean = {z * LSB, q->tilt_deg, NAN};
+        apart = depth_planes_sweep(&canvas, format->format, lean).measured_m;
     }
     depth_planes_close(&canvas);
-    return apart < 16384 ? (uint32_t)ceil(apart / LSB) : NEVER;
+    return isfinite(apart) ? depth_separation_lsbs(apart) : 0;
 }
 
 /* Measures. The step of a fixed format grows up to z, and that of linear-w is the same everywhere. The step of a float
  * grows inside each octave of its d = N/z - N/f, so the far end of each octave is measured, too. */
-static struct reach measured(struct question *q, const struct lab_format *format, fx_t near_z)
+static struct reach reach_of(struct question *q, const struct lab_format *format, fx_t near_z)
 {
     struct reach reach = {0, 0};
     const int exponent = lab_exponent(format, near_z, q->lab->far_z);
@@ -93,22 +106,20 @@ static struct reach measured(struct question *q, const struct lab_format *format
         return reach;
     }
     lab_search_open(&q->search, &q->probe);
-    reach.at_z = reach.to_z = around(q, q->z);
+    reach.bound = bound(q, format, near_z);
+    reach.found = around(q, q->z);
     const double head = near_z * head_of(exponent);
     for (int octave = 1; exponent != 0 && octave < 1 << exponent; octave++) {
         const double end = floor(head / (exp2(-octave) + head / q->lab->far_z));
         if (end > near_z && end < q->z) {
             const uint32_t there = around(q, (fx_t)end);
-            worst = there > reach.to_z ? (fx_t)end : worst;
-            reach.to_z = there > reach.to_z ? there : reach.to_z;
+            worst = there > reach.found ? (fx_t)end : worst;
+            reach.found = there > reach.found ? there : reach.found;
         }
     }
-    if (q->tilt_deg != 0) {
-        const uint32_t at_z = leaning(q, format, near_z, q->z);
-        const uint32_t at_worst = worst != q->z ? leaning(q, format, near_z, worst) : at_z;
-        reach.at_z = at_z > reach.at_z ? at_z : reach.at_z;
-        reach.to_z = at_worst > reach.to_z ? at_worst : reach.to_z;
-        reach.to_z = reach.at_z > reach.to_z ? reach.at_z : reach.to_z;
+    for (int i = 0; q->tilt_deg != 0 && i < (worst != q->z ? 2 : 1); i++) {
+        const uint32_t there = leaning(q, format, near_z, i == 0 ? q->z : worst);
+        reach.found = there > reach.found ? there : reach.found;
     }
     return reach;
 }
@@ -151,11 +162,10 @@ static double left_for_step(const struct question *q, fx_t s)
 
 static bool separates(struct question *q, const struct lab_format *format, fx_t near_z, fx_t s)
 {
-    const uint32_t needs = measured(q, format, near_z).to_z;
-    return needs != 0 && needs <= (uint32_t)s;
+    return lab_probe_open(&q->probe, format, near_z, q->lab->far_z) == 0 && bound(q, format, near_z) <= (uint32_t)s;
 }
 
-/* Returns the smallest near plane that separates s at every distance up to z, as drawn; 0: none below z does. */
+/* Returns the smallest near plane with which s is enough at every distance up to z; 0: none below z does. */
 static fx_t least_near(struct question *q, const struct lab_format *format, fx_t s)
 {
     const double step = left_for_step(q, s),
@@ -165,11 +175,10 @@ static fx_t least_near(struct question *q, const struct lab_format *format, fx_t
         return 0;
     }
     double near_lsb = fmax(ceil(n * 65536), NEAR_LEAST);
-    for (int tries = 0; tries < 200 && near_lsb < most; tries++) { /* a little more, for the rounding of the planes */
+    for (; near_lsb < most; near_lsb = floor(near_lsb * 1.01) + 1) { /* more, for what triangles are off */
         if (separates(q, format, (fx_t)near_lsb, s)) {
             return (fx_t)near_lsb;
         }
-        near_lsb = floor(near_lsb * (q->tilt_deg != 0 ? 1.05 : 1.01)) + 1;
     }
     return 0;
 }
@@ -203,12 +212,12 @@ static void put_row(const struct question *q, const struct lab_format *format, c
     if (a->safe != 0) {
         lab_fx_text(a->safe, safe);
     }
-    if (a->separates.at_z != 0 && a->separates.to_z != NEVER) {
-        char at_z[LAB_TEXT_SIZE], to_z[LAB_TEXT_SIZE];
+    if (a->separates.bound != 0 && a->separates.bound != NEVER) {
+        char enough[LAB_TEXT_SIZE], found[LAB_TEXT_SIZE];
         lab_fx_text(lab->near_z, near_text);
-        lab_length_text(a->separates.at_z, at_z);
-        lab_length_text(a->separates.to_z, to_z);
-        snprintf(pair, sizeof pair, "%s,%s", at_z, to_z);
+        lab_length_text(a->separates.bound, enough);
+        lab_length_text(a->separates.found, found);
+        snprintf(pair, sizeof pair, "%s,%s", enough, found);
     }
     fprintf(lab->rows, "%s,%d,%s,%s,%s,%s,%s,%s,%s,%g\n", format->name, format->bits, metres(lab->far_z, far_text),
             metres(q->z, z), s, least, safe, near_text, pair, q->tilt_deg);
@@ -237,16 +246,12 @@ static void say_backward(const struct question *q, const struct lab_format *form
     char s[LAB_TEXT_SIZE], z[LAB_TEXT_SIZE], n[LAB_TEXT_SIZE];
     fprintf(q->text, "# With the near plane at %s m, %s (%d bits) ", metres(q->lab->near_z, n), format->name,
             format->bits);
-    if (a->separates.at_z == 0 || a->separates.to_z == NEVER) {
-        fprintf(q->text, a->separates.at_z == 0 ? "cannot be drawn.\n" : "separates nothing up to there.\n");
+    if (a->separates.bound == 0 || a->separates.bound == NEVER) {
+        fprintf(q->text, a->separates.bound == 0 ? "cannot be drawn.\n" : "separates nothing up to there.\n");
         return;
     }
-    fprintf(q->text, "separates %s m at %s m", metres_of(a->separates.at_z, s), metres(q->z, z));
-    if (a->separates.to_z == a->separates.at_z) {
-        fprintf(q->text, " and at every distance up to there.\n");
-    } else {
-        fprintf(q->text, "; at every distance up to there it takes %s m.\n", metres_of(a->separates.to_z, s));
-    }
+    fprintf(q->text, "separates %s m at every distance up to %s m", metres_of(a->separates.bound, s), metres(q->z, z));
+    fprintf(q->text, "; what was found to be needed is %s m.\n", metres_of(a->separates.found, s));
 }
 
 /* Ranks a format by its cost: 24 bits take memory, linear-w takes a division a pixel. */
@@ -312,12 +317,12 @@ static void say_auto(struct question *q)
     while (format->format != chosen) {
         format++;
     }
-    const struct reach reach = measured(q, format, q->lab->near_z);
-    if (reach.to_z != 0 && reach.to_z != NEVER) {
+    const struct reach reach = reach_of(q, format, q->lab->near_z);
+    if (reach.bound != 0 && reach.bound != NEVER) {
         fprintf(q->text,
                 "#! With the near plane at %s m auto takes %s, which separates %s m up to %s m at any tilt up "
                 "to %g degrees.\n",
-                metres(q->lab->near_z, n), format->name, metres_of(reach.to_z, s), metres(q->z, z), fabs(q->tilt_deg));
+                metres(q->lab->near_z, n), format->name, metres_of(reach.bound, s), metres(q->z, z), fabs(q->tilt_deg));
     }
 }
 
@@ -354,7 +359,7 @@ static int answer_all(struct question *q)
             }
         }
         if (lab->near_set || q->separate == 0) {
-            a.separates = measured(q, format, lab->near_z);
+            a.separates = reach_of(q, format, lab->near_z);
             say_backward(q, format, &a);
         }
         put_row(q, format, &a);
@@ -389,8 +394,7 @@ int depth_advise(const struct depth_lab *lab)
     q->z = lab->at[0];
     q->separate = lab->separate;
     q->tilt_deg = lab->tilt_set ? depth_metres(lab->tilt_deg) : TILT_DEG;
-    fputs("format,bits,far,z_m,separate_m,near_least_m,near_safe_m,near,separates_m,separates_to_z_m,tilt_deg\n",
-          lab->rows);
+    fputs("format,bits,far,z_m,separate_m,near_least_m,near_safe_m,near,separates_m,found_m,tilt_deg\n", lab->rows);
     const int status = answer_all(q);
     free(q);
     return status;

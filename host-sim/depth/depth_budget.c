@@ -2,6 +2,7 @@
 #include "complain.h"
 #include "depth_budget_measure.h"
 #include "depth_planes_count.h"
+#include "depth_separation.h"
 #include "lab_search.h"
 #include "progress.h"
 
@@ -22,15 +23,16 @@ static void predict(const struct depth_lab *lab, const struct ph_depth_format *f
     }
 }
 
-/* All parts together, on planes whose farthest row is at z: the tilt that needs most. */
+/* All parts together: the bound, and planes whose farthest row is at z, at the tilt that needs most. */
 static void sweep_tilts(struct planes_canvas *canvas, const struct ph_depth_format *format, double z,
                         struct budget *budget)
 {
-    static const double tilts[] = {0, 40, 75};
-    budget->predicted_m[ALL] = budget->measured_m[ALL] = 0;
+    static const double tilts[] = {0, 40, 75, 85};
+    const struct depth_lab *const lab = canvas->lab;
+    budget->predicted_m[ALL] = depth_separation_m(format, lab, z, 90, depth_way_px(lab));
+    budget->measured_m[ALL] = 0;
     for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
-        const struct planes_sweep sweep = depth_planes_sweep(canvas, format, (struct planes_lean){z, tilts[i], 0});
-        budget->predicted_m[ALL] = fmax(budget->predicted_m[ALL], sweep.bound_m);
+        const struct planes_sweep sweep = depth_planes_sweep(canvas, format, (struct planes_lean){z, tilts[i], NAN});
         budget->measured_m[ALL] = fmax(budget->measured_m[ALL], sweep.measured_m);
     }
 }
@@ -77,8 +79,13 @@ static void print_budget(const struct depth_lab *lab, const struct lab_format *f
 {
     const int dominant = largest(budget->measured_m);
     for (int i = 0; i <= DEPTH_SHARES; i++) {
-        fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%s,%.10g,", format->name, format->bits, depth_metres(lab->near_z),
-                depth_metres(lab->far_z), z, i < ALL ? depth_share_names[i] : "all", budget->predicted_m[i]);
+        char enough[LAB_TEXT_SIZE];
+        snprintf(enough, sizeof enough, "%.10g", budget->predicted_m[i]);
+        if (i == ALL) {
+            depth_separation_text(budget->predicted_m[i], enough);
+        }
+        fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%s,%s,", format->name, format->bits, depth_metres(lab->near_z),
+                depth_metres(lab->far_z), z, i < ALL ? depth_share_names[i] : "all", enough);
         if (isfinite(budget->measured_m[i])) {
             fprintf(lab->rows, "%.10g,%s\n", budget->measured_m[i], i == dominant ? "dominates" : "");
         } else {

@@ -40,8 +40,7 @@ static bool is_linear(const struct ph_depth_format *format)
     return format->coding == PH_DEPTH_IS_LINEAR;
 }
 
-/* A float's bits of exponent. */
-static int bits_of(const struct depth_lab *lab)
+int depth_exponent_bits(const struct depth_lab *lab)
 {
     const struct ph_projection p = {.kind = PH_PERSPECTIVE, .near_z = lab->near_z, .far_z = lab->far_z};
     return lab->exponent != 0 ? lab->exponent : (int)ph_depth_choose_exponent(&p);
@@ -51,7 +50,7 @@ static int bits_of(const struct depth_lab *lab)
 static double head_m(const struct ph_depth_format *format, const struct depth_lab *lab)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
-    const int bits = is_float(format) ? bits_of(lab) : 0;
+    const int bits = is_float(format) ? depth_exponent_bits(lab) : 0;
     const bool is_fixed = !is_float(format) && !is_linear(format);
     return n * (is_fixed ? fmin(f / (f - n), 8) : 1) * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
 }
@@ -77,7 +76,7 @@ static double depth_at(const struct ph_depth_format *format, const struct depth_
 /* F of depth.h: an unsigned float; and its inverse. */
 static double float_of(const struct depth_lab *lab, double d)
 {
-    const int bits = bits_of(lab), top = (1 << bits) - 1;
+    const int bits = depth_exponent_bits(lab), top = (1 << bits) - 1;
     int exponent;
     const double fraction = frexp(d, &exponent); /* d = fraction 2^exponent, fraction in 1/2 .. 1 */
     return ldexp(d <= 0 || exponent <= -top ? ldexp(d, top) : 2 * fraction - 1 + exponent + top, 16 - bits);
@@ -85,7 +84,7 @@ static double float_of(const struct depth_lab *lab, double d)
 
 static double of_float(const struct depth_lab *lab, double code)
 {
-    const int bits = bits_of(lab), top = (1 << bits) - 1;
+    const int bits = depth_exponent_bits(lab), top = (1 << bits) - 1;
     const double octaves = ldexp(code, bits - 16), octave = floor(octaves);
     return octave < 1 ? ldexp(octaves, -top) : ldexp(1 + octaves - octave, (int)octave - top - 1);
 }
@@ -122,6 +121,11 @@ double depth_distance_of(const struct ph_depth_format *format, const struct dept
     }
 }
 
+double depth_octave_end_m(const struct ph_depth_format *format, const struct depth_lab *lab, int octave)
+{
+    return head_m(format, lab) / (ldexp(1, -octave) + head_m(format, lab) / depth_metres(lab->far_z));
+}
+
 /* d of the last bit of the code at d. For a float this is that of the octave of d. */
 static double bit_of(const struct ph_depth_format *format, const struct depth_lab *lab, double d)
 {
@@ -130,7 +134,7 @@ static double bit_of(const struct ph_depth_format *format, const struct depth_la
         return ldexp(1, has_24_bits(format) ? -24 : -16);
     }
     frexp(d, &exponent);
-    const int bits = bits_of(lab), lowest = 2 - (1 << bits);
+    const int bits = depth_exponent_bits(lab), lowest = 2 - (1 << bits);
     return ldexp(1, (d <= 0 || exponent < lowest ? lowest : exponent) - (has_24_bits(format) ? 25 : 17) + bits);
 }
 
@@ -145,7 +149,7 @@ double depth_step_m(const struct ph_depth_format *format, const struct depth_lab
 double depth_step_parallel_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z)
 {
     const double range = depth_metres(lab->far_z) - depth_metres(lab->near_z);
-    const int bits = is_float(format) ? bits_of(lab) : 0;
+    const int bits = is_float(format) ? depth_exponent_bits(lab) : 0;
     const double whole = 1 - ldexp(1, bits > 4 ? bits - 13 : -9), d = whole * (depth_metres(lab->far_z) - z) / range;
     return bit_of(format, lab, d) * range / whole;
 }
@@ -251,12 +255,17 @@ static int focal_log2(const struct depth_lab *lab)
     return focal > reach ? focal : reach;
 }
 
+double depth_across_unit(const struct depth_lab *lab)
+{
+    return ldexp(depth_pixel_slope(lab), focal_log2(lab));
+}
+
 /* For x and y together: they are rounded to 2^-16 of 2^focal_log2 px at a distance of 1 m, to 2^-25 of it on the
  * screen, then to 1/256 px.
  */
 static double subpixel_m(const struct depth_lab *lab, double z)
 {
-    const double p = depth_pixel_slope(lab), reach = ldexp(p, focal_log2(lab));
+    const double reach = depth_across_unit(lab);
     return depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z) + sqrt(2) * (ldexp(reach, -16) + ldexp(reach * z, -24));
 }
 
@@ -286,7 +295,7 @@ static struct whole_plane whole_plane(const struct depth_lab *lab, struct planes
 static int octave_of(const struct depth_lab *lab, double d)
 {
     int exponent;
-    frexp(fmax(d, ldexp(1, 1 - (1 << bits_of(lab)))), &exponent);
+    frexp(fmax(d, ldexp(1, 1 - (1 << depth_exponent_bits(lab)))), &exponent);
     return exponent;
 }
 
@@ -359,7 +368,7 @@ static struct plane_error float_error(const struct depth_lab *lab, const struct 
     const int first = octave_of(lab, depth_at(format, lab, plane->nearest)),
               last = octave_of(lab, depth_at(format, lab, plane->farthest));
     if (first == last) {
-        const double unit = ldexp(1, last - 33 + bits_of(lab));
+        const double unit = ldexp(1, last - 33 + depth_exponent_bits(lab));
         const double difference =
             (depth_at(format, lab, plane->nearest) - depth_at(format, lab, plane->farthest)) / unit;
         return (struct plane_error){unit, has_24_bits(format) ? 2 * way + 4
@@ -368,7 +377,7 @@ static struct plane_error float_error(const struct depth_lab *lab, const struct 
     int over;
     frexp(head_m(format, lab) / plane->nearest, &over);
     const int block = over < 0 ? -1 - over : 0, zeros = has_24_bits(format) ? -first - block : 0;
-    const int down = bits_of(lab) - 1 - zeros;
+    const int down = depth_exponent_bits(lab) - 1 - zeros;
     const double rounded = down > 0 ? ldexp(1, down) : 0;
     return (struct plane_error){ldexp(1, -32 - block), (1 + rounded) * 2 * way + 12 + rounded};
 }

@@ -76,8 +76,17 @@ double depth_code_at(const struct ph_depth_format *format, const struct depth_la
 /* The distance that has this code; beyond the far plane it may be negative or infinite. */
 double depth_distance_of(const struct ph_depth_format *format, const struct depth_lab *lab, double code);
 
+/* A float's bits of exponent. */
+int depth_exponent_bits(const struct depth_lab *lab);
+
+/* Where d is 2^-octave: there a float's octave ends, and the next one has codes half as wide. */
+double depth_octave_end_m(const struct ph_depth_format *format, const struct depth_lab *lab, int octave);
+
 /* The code for a d = N/w - N/f, in a float format. */
 double depth_code_of_float(const struct ph_depth_format *format, const struct depth_lab *lab, double d);
+
+/* How many metres across the view are one unit of a corner's x and y in clip coordinates: 1 or more. */
+double depth_across_unit(const struct depth_lab *lab);
 
 /* The share of snapping corners to 2^-bits pixel: sqrt(2) 2^-bits p z. */
 double depth_subpixel_m(const struct depth_lab *lab, int bits, double z);

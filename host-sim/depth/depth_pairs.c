@@ -1,6 +1,7 @@
 /* depth_pairs: `pinhole-depth pairs` and `resolve`, which measure the renderer's formats with lab.h. */
 #include "complain.h"
 #include "depth_ieee.h"
+#include "depth_separation.h"
 #include "lab_num.h"
 #include "progress.h"
 
@@ -88,5 +89,21 @@ int depth_pairs(const struct depth_lab *lab)
 
 int depth_resolve(const struct depth_lab *lab)
 {
-    return measure(lab, lab_resolve);
+    const int status = measure(lab, lab_resolve);
+    const double z = depth_metres(lab->far_z);
+    for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        if ((depth_drawn_formats(lab) >> i & 1) != 0) {
+            const struct depth_lab own = depth_lab_of(lab, i);
+            const struct ph_depth_format *const format = lab_formats[i].format;
+            char facing[LAB_TEXT_SIZE], any[LAB_TEXT_SIZE];
+            depth_separation_text(depth_separation_m(format, &own, z, 0, depth_way_px(&own)), facing);
+            depth_separation_text(depth_separation_m(format, &own, z, 90, depth_way_px(&own)), any);
+            fprintf(lab->rows,
+                    "# %s (%u bits): enough at every distance are %s m for surfaces that face the camera, %s m at any "
+                    "tilt (bounds; --fov %g, --size %ux%u).\n",
+                    lab_formats[i].name, lab_formats[i].bits, facing, any, depth_metres(lab->fov_deg), lab->width,
+                    lab->height);
+        }
+    }
+    return status;
 }

@@ -2,7 +2,7 @@
 #include "depth_planes_count.h"
 
 #include "complain.h"
-#include "depth_budget_terms.h"
+#include "depth_separation.h"
 #include "file_save.h"
 #include "option_text.h"
 #include "png_out.h"
@@ -224,8 +224,11 @@ static void sweep_row(const struct depth_lab *lab, const struct lab_format *form
                       struct planes_lean lean)
 {
     const struct planes_sweep sweep = depth_planes_sweep(canvas, format->format, lean);
-    fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%g,%.4g,%.4g,", format->name, format->bits, depth_metres(lab->near_z),
-            depth_metres(lab->far_z), lean.at_m, lean.tilt_deg, sweep.s_min_m, sweep.at_tilt_m);
+    char enough[LAB_TEXT_SIZE];
+    depth_separation_text(sweep.bound_m, enough);
+    fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%g,%.4g,%.4g,%s,", format->name, format->bits,
+            depth_metres(lab->near_z), depth_metres(lab->far_z), lean.at_m, lean.tilt_deg, sweep.s_min_m,
+            sweep.at_tilt_m, enough);
     if (isfinite(sweep.measured_m)) {
         fprintf(lab->rows, "%.10g,%.3f,", sweep.measured_m, sweep.measured_m / sweep.at_tilt_m);
     } else {
@@ -267,9 +270,10 @@ int depth_planes(const struct depth_lab *lab)
     if (rows == 0) {
         return complain_usage("--depth: planes draws with the renderer's own formats; --help lists them");
     }
-    fputs("format,bits,near,far,z_m,tilt_deg,s_min_predicted_m,at_tilt_predicted_m,measured_m,ratio,azimuth_deg,"
-          "shading\n",
-          lab->rows);
+    fputs(
+        "format,bits,near,far,z_m,tilt_deg,s_min_predicted_m,at_tilt_predicted_m,bound_m,measured_m,ratio,azimuth_deg,"
+        "shading\n",
+        lab->rows);
     int status = 0;
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
         const struct depth_lab own = depth_lab_of(lab, i);

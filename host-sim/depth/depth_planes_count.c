@@ -2,7 +2,7 @@
  * wrong. */
 #include "depth_planes_count.h"
 
-#include "depth_budget_terms.h"
+#include "depth_separation.h"
 
 #include <math.h>
 #include <string.h>
@@ -126,24 +126,6 @@ double depth_planes_predicted_m(const struct depth_lab *lab, const struct ph_dep
            depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z) / sqrt(2) * fabs(sin(angle));
 }
 
-/*
- * A bound of what planes need where their ray has this slope: all that moves the depth, along their normal, and a
- * sub-pixel step up. Their corners stand on the grid and the camera only rolls, so input and matrix cost nothing. The
- * sweep finds it to one of its steps.
- */
-static double bound_of_row(const struct depth_lab *lab, const struct ph_depth_format *format, struct planes_lean lean,
-                           double slope)
-{
-    const double angle = depth_radians(lean.tilt_deg), z = lean.at_m / (1 - slope * tan(angle));
-    const double turn = depth_radians(lean.azimuth_deg);
-    const double along = depth_share_m(DEPTH_SHARE_STORE, format, lab, z) +
-                         depth_share_m(DEPTH_SHARE_DIVIDE, format, lab, z) +
-                         (lean.tilt_deg != 0 ? depth_interpolation_m(format, lab, lean, z) : 0);
-    const double up = depth_share_m(DEPTH_SHARE_SUBPIXEL, format, lab, z) / sqrt(2) *
-                      (isnan(turn) ? sqrt(2) : fabs(cos(turn)) + fabs(sin(turn)));
-    return exp2(STEP) * (along * fabs(cos(angle) - slope * sin(angle)) + up * fabs(sin(angle)));
-}
-
 /* Predicts for the row that needs most: the steps of a float get coarser at the near end of each octave. */
 static void predict(const struct depth_lab *lab, const struct ph_depth_format *format, struct planes_lean lean,
                     struct planes_sweep *sweep)
@@ -152,11 +134,11 @@ static void predict(const struct depth_lab *lab, const struct ph_depth_format *f
     const double rise = tan(depth_radians(lean.tilt_deg)), tan_phi = tan_phi_max(lab);
     const struct planes_place whole = depth_planes_whole(lab, lean, 0);
     const double pixel = depth_pixel_slope(lab);
+    sweep->bound_m = depth_separation_m(format, lab, lean.at_m, lean.tilt_deg, depth_way_px(lab));
     for (int row = 0; row * pixel <= -whole.slope_low / MARGIN; row++) {
         const double slope = -row * pixel;
         const double z = lean.at_m / (1 - slope * rise), s_xy = depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z);
         sweep->s_min_m = fmax(sweep->s_min_m, depth_s_min_m(s_xy, depth_step_m(format, lab, z), tan_phi));
-        sweep->bound_m = fmax(sweep->bound_m, bound_of_row(lab, format, lean, slope));
         sweep->at_tilt_m = fmax(sweep->at_tilt_m, depth_planes_predicted_m(lab, format, z, slope, lean.tilt_deg));
     }
 }

@@ -25,8 +25,8 @@ double depth_planes_predicted_m(const struct depth_lab *lab, const struct ph_dep
 struct planes_sweep {
     double s_min_m;    /* predicted: S_min, whatever the tilt */
     double at_tilt_m;  /* predicted at this tilt */
-    double bound_m;    /* predicted with all parts of the budget: no larger separation is ever wrong */
-    double measured_m; /* smallest separation from which on no pixel was wrong; HUGE_VAL: none found */
+    double bound_m;    /* of depth_separation.h: no larger separation is ever wrong, whatever the azimuth */
+    double measured_m; /* smallest separation from which on no pixel was found wrong; HUGE_VAL: none */
 };
 
 /*

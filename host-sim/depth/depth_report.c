@@ -2,13 +2,11 @@
 #define _XOPEN_SOURCE 700 /* open_memstream, mkdir */
 
 #include "complain.h"
-#include "depth_budget_terms.h"
 #include "depth_gnuplot.h"
 #include "depth_plot.h"
+#include "depth_separation.h"
 #include "depth_table.h"
 #include "file_save.h"
-#include "lab_num.h"
-#include "lab_search.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -31,10 +29,12 @@ static const struct section sections[] = {
      "In short",
      {NULL, NULL},
      "fov size",
-     "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
-     "[m],separates at z [m] (measured),up to z [m] (measured),tilt [deg]",
+     "format,bits,far [m],z [m],to separate [m],near from [m] (bound),with a margin [m] (bound),with near "
+     "[m],separates up to z [m] (bound),needed up to z [m] (found),tilt [deg]",
      "The separation that the renderer's formats keep with this camera up to the far plane, and the near plane from "
-     "which on they separate a thousandth of that distance. Coarser steps lead to z-fighting. Formats of 16 "
+     "which on they separate a thousandth of that distance, at every tilt up to that of the last column, every azimuth "
+     "and in every shading. What was found to be needed by planes that were drawn is less. Coarser steps lead to "
+     "z-fighting. Formats of 16 "
      "bits take two bytes a pixel, formats of 24 bits four; linear-w takes a division a pixel, too.",
      depth_advise},
     {"resolve",
@@ -61,28 +61,31 @@ static const struct section sections[] = {
      "fov size",
      "format,bits,near [m],far [m],z [m],part,bound [m] (predicted),separation [m] (measured),largest (measured)",
      "The separation that each part of the pipeline alone may confuse, and all of them together. The prediction is a "
-     "bound: what is measured never exceeds it. A part is measured in its worst case. All together are measured on "
-     "drawn planes, tilted by 0, 40 and 75 degrees, where the worst cases seldom meet: so they may measure less than a "
-     "part alone.",
+     "bound: what is measured never exceeds it, and all together are enough at every tilt. A part is measured in its "
+     "worst case. All together are measured on drawn planes, tilted by 0, 40, 75 and 85 degrees in all directions, "
+     "where "
+     "the worst cases seldom meet: so they may measure less than a part alone.",
      depth_budget},
     {"planes",
      "Two planes",
      {NULL, NULL},
      "fov size",
-     "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
-     "from [m] (measured),measured / predicted,azimuth [deg],shading",
-     "Two parallel planes drawn by the renderer, compared with exact arithmetic pixel by pixel. S_min holds for every "
-     "tilt.",
+     "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),enough [m] "
+     "(bound),no pixel wrong from [m] (found),found / predicted,azimuth [deg],shading",
+     "Two parallel planes drawn by the renderer, compared with exact arithmetic pixel by pixel. S_min is a step "
+     "of depth and one of the sub-pixel grid, for every tilt. The bound is what is enough at this tilt in every place, "
+     "at "
+     "every azimuth and in every shading.",
      depth_planes},
     {"slopes",
      "Every slope and shading",
      {NULL, NULL},
      "fov size",
-     "format,bits,near [m],far [m],z [m],shading,tilt [deg],bound [m] (predicted),no pixel wrong from [m] "
-     "(measured),bound / measured",
+     "format,bits,near [m],far [m],z [m],shading,tilt [deg],enough [m] (bound),no pixel wrong from [m] (found),bound / "
+     "found",
      "The worst over all azimuths, from tiny planes to those that fill the picture. One triangle has one depth in "
      "every "
-     "shading, so their rows agree. The bound is never exceeded.",
+     "shading, so their rows agree. The bound is enough at every tilt up to that of the row.",
      depth_slopes},
     {"scenes",
      "Surfaces that meet",
@@ -283,22 +286,6 @@ static int put_section(const struct depth_lab *lab, FILE *report, const struct s
     return status;
 }
 
-/* The smallest separation that a format orders right at every distance, in metres; NAN: it cannot be measured. */
-static double worst_m(const struct depth_lab *lab, const struct lab_format *format)
-{
-    struct work {
-        struct lab_probe probe;
-        struct lab_search search;
-    } *const work = malloc(sizeof *work);
-    double worst = NAN;
-    if (work != NULL && lab_probe_open(&work->probe, format, lab->near_z, lab->far_z) == PH_OK) {
-        lab_search_open(&work->search, &work->probe);
-        worst = lab_search_worst(&work->search, &work->probe) / 65536.0;
-    }
-    free(work);
-    return worst;
-}
-
 /* Whether the renderer draws it without a reciprocal a pixel, with as many bits of exponent as it takes itself. */
 static bool is_quick(const struct lab_format *format)
 {
@@ -315,7 +302,9 @@ static void put_answer(const struct depth_lab *lab, FILE *report)
     for (uint32_t i = 0; i < 2 * lab_format_count && !(best_m <= enough); i++) {
         const struct lab_format *const format = &lab_formats[i % lab_format_count];
         if (format->bits == (i < lab_format_count ? 16 : 24) && is_quick(format)) {
-            const double worst = worst_m(lab, format);
+            const struct depth_lab own = depth_lab_of(lab, i % lab_format_count);
+            const double worst =
+                depth_separation_m(format->format, &own, depth_metres(lab->far_z), 0, depth_way_px(&own));
             best = worst < best_m ? format : best;
             best_m = fmin(worst, best_m);
         }

@@ -1,6 +1,6 @@
 /* pinhole-depth slopes: S_worst of planes by format, shading and tilt, over all azimuths. See depth_planes_count.h. */
 #include "complain.h"
-#include "depth_budget_terms.h"
+#include "depth_separation.h"
 #include "depth_planes_count.h"
 #include "progress.h"
 
@@ -10,8 +10,10 @@ static void put_row(const struct depth_lab *lab, const struct lab_format *format
                     struct planes_lean lean)
 {
     const struct planes_sweep sweep = depth_planes_sweep(canvas, format->format, lean);
-    fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%s,%g,%.4g,", format->name, format->bits, depth_metres(lab->near_z),
-            depth_metres(lab->far_z), lean.at_m, depth_shading_names[canvas->shading], lean.tilt_deg, sweep.bound_m);
+    char enough[LAB_TEXT_SIZE];
+    depth_separation_text(sweep.bound_m, enough);
+    fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%s,%g,%s,", format->name, format->bits, depth_metres(lab->near_z),
+            depth_metres(lab->far_z), lean.at_m, depth_shading_names[canvas->shading], lean.tilt_deg, enough);
     if (isfinite(sweep.measured_m)) {
         fprintf(lab->rows, "%.10g,%.3f\n", sweep.measured_m, sweep.bound_m / sweep.measured_m);
     } else {

@@ -27,20 +27,20 @@ static const struct depth_command commands[] = {
      "which near plane, format and bits separate S at Z; the separation at Z with this near plane; or what fights in\n"
      "            the frames of a model or demo",
      " near far depth fov size at separate tilt bits demo view model allow-outside camera start frames csv json ",
-     "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
-     "[m],separates at z [m] (measured),up to z [m] (measured),tilt [deg]",
+     "format,bits,far [m],z [m],to separate [m],near from [m] (bound),with a margin [m] (bound),with near "
+     "[m],separates up to z [m] (bound),needed up to z [m] (found),tilt [deg]",
      depth_advise},
     {"anchors", "the numbers that the depth lab is held against, published, reproduced or ours, computed again",
      " csv json ", "anchor,source,stated,here,how,verdict", depth_anchors},
     {"planes", "two parallel planes through the renderer: from which separation on none shows through the other",
      " near far depth fov size at tilt azimuth shading separation out csv json ",
-     "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
-     "from [m] (measured),measured / predicted,azimuth [deg],shading",
+     "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),enough [m] "
+     "(bound),no pixel wrong from [m] (found),found / predicted,azimuth [deg],shading",
      depth_planes},
     {"slopes", "S_worst of planes by format, shading and tilt, over all azimuths and from tiny to screen-filling",
      " near far depth fov size at csv json ",
-     "format,bits,near [m],far [m],z [m],shading,tilt [deg],bound [m] (predicted),no pixel wrong from [m] "
-     "(measured),bound / measured",
+     "format,bits,near [m],far [m],z [m],shading,tilt [deg],enough [m] (bound),no pixel wrong from [m] (found),bound / "
+     "found",
      depth_slopes},
     {"scenes", "floor and wall, tiles, crossing triangles, a sphere drawn twice: pixels that show the wrong surface",
      " near far depth fov size csv json ",

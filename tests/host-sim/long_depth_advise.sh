@@ -21,8 +21,8 @@ refuses() { # pattern, options...
 
 # ---- planes
 
-leaning() { # near, far, z, tilt, format: the separation that planes measures
-    csv planes --near "$1" --far "$2" --at "$3" --tilt "$4" --format "$5" | grep "^$5," | cut -d, -f9
+leaning() { # near, far, z, tilt, format: the separation that planes finds
+    csv planes --near "$1" --far "$2" --at "$3" --tilt "$4" --format "$5" | grep "^$5," | cut -d, -f10
 }
 
 facing() { csv resolve --near "$1" --far "$2" --at "$3" --format "$4" | grep "^$4," | head -n 1 | cut -d, -f7; } # near, far, z, format
@@ -69,14 +69,33 @@ lines_help() {
 }
 
 near_says_what_it_separates() {
-    local format said
+    local format said found
     for format in fixed16 float16 float24; do
-        said=$(csv advise --near .5 --at 60 --tilt 60 --format "$format" | grep "^$format," | cut -d, -f9)
-        is_at_most "$(leaning .5 100 60 60 "$format")" "$said" && is_at_most "$(facing .5 100 60 "$format")" "$said" &&
-            awk -v said="$said" -v a="$(leaning .5 100 60 60 "$format")" -v b="$(facing .5 100 60 "$format")" 'BEGIN { m = a > b ? a : b; exit !(said <= m * 1.02 + .00004) }' ||
+        IFS=, read -r said found < <(csv advise --near .5 --at 60 --tilt 60 --format "$format" | grep "^$format," | cut -d, -f9,10)
+        is_at_most "$(leaning .5 100 60 60 "$format")" "$said" && is_at_most "$(facing .5 100 60 "$format")" "$said" && is_at_most "$found" "$said" ||
             { echo "$format: $said" && return 1; }
     done
 }
+
+# One number for one question, to the digit, in every command and in the table of README.md.
+commands_agree() {
+    local format any facing near far
+    while read -r near far; do
+        for format in fixed16 float16 fixed24 float24 linear-w; do
+            read -r facing any < <("$lab" resolve --near "$near" --far "$far" --at "$far" --format "$format" 2>/dev/null | sed -n 's/.* distance are \(.*\) m for .* camera, \(.*\) m at any tilt.*/\1 \2/p')
+            [ -n "$any" ] && [ "$(csv advise --near "$near" --far "$far" --at "$far" --tilt 89 --format "$format" | grep "^$format," | cut -d, -f9)" = "$any" ] &&
+                [ "$(csv advise --near "$near" --far "$far" --at "$far" --tilt 0 --format "$format" | grep "^$format," | cut -d, -f9)" = "$facing" ] &&
+                [ "$(csv budget --near "$near" --far "$far" --at "$far" --format "$format" | grep ',all,' | cut -d, -f7)" = "$any" ] &&
+                [ "$(csv slopes --size 240x240 --near "$near" --far "$far" --at "$far" --format "$format" | grep ',unlit,89,' | cut -d, -f8)" = "$any" ] &&
+                [ "$(csv planes --near "$near" --far "$far" --at "$far" --tilt 89 --azimuth 45 --format "$format" | grep "^$format," | cut -d, -f9)" = "$any" ] &&
+                awk -v near="$near" -v far="$far" -v facing="$facing" -v any="$any" -v format="\`$format\`" -F ' *[|,] *' '
+                    function is(a, b) { return (a > b ? a - b : b - a) <= 2e-3 * b }
+                    $2 == format { for (i = 3; i <= 7; i += 2) good += is($i, facing) && is($(i + 1), any) } END { exit good < 1 }' README.md ||
+                { echo "$format, near $near, far $far: facing $facing, any tilt $any" && return 1; }
+        done
+    done <<<$'.5 100\n.1 1000\n1 1000'
+}
+
 
 # ---- scenes
 
@@ -205,6 +224,7 @@ check "what advise says separates does, and half of the near plane does not" pro
 check "a millimetre at 100 m and 60 degrees is finer than the sub-pixel grid" no_millimetre_at_100_m
 check "more lines help there" lines_help
 check "a near plane separates what planes and resolve measure" near_says_what_it_separates
+check "advise, planes, slopes, resolve, budget and README.md agree" commands_agree
 check "every pixel that shows the wrong surface was foreseen" every_wrong_pixel_is_foreseen
 check "zfight fights in fixed16 and not in float16" zfight_fights_in_fixed16_alone
 check "a fisheye is measured, and what its flat pieces do" a_fisheye_is_measured

