@@ -128,15 +128,22 @@ extern const struct ph_blending ph_blending, ph_blending_alphas;
 /* Also by alphas over a material without a texture, for which it links what draws textures. */
 #define ph_draw_blended_alphas (&ph_blending_alphas)
 
+/* depth_bias of a decal in any format, with a depth_bias_slope of PH_DECAL_SLOPE. In the fixed formats and linear-w 2
+ * is enough, and lets the decal show through less that lies before it. */
+#define PH_DECAL_BIAS  16
+#define PH_DECAL_SLOPE 2
+
 struct ph_material {
     const struct ph_shading *shading; /* PH_SHADE_... */
     uint8_t two_sided;                /* draw back faces too */
     uint8_t shininess_log2;           /* specular exponent 2^this, 0 .. 7 */
-    uint8_t depth_bias; /* towards the viewer, 0 .. 56, in codes of fixed16 or eighths of codes of float16 */
+    uint8_t depth_bias; /* towards the viewer, 0 .. 56 (more counts as 56), in codes of fixed16 or eighths of codes of
+                           float16 */
     /* Towards the viewer, too, for decals on surfaces that lean away: this many sixteenths of what depth changes by
      * from pixel to pixel, right or down, whichever is more; at most the range of the triangle's corners. With linear-w
-     * it is taken at the farthest corner, and at most 255 codes together with depth_bias. 2 is enough for a decal that
-     * lies in the plane of its surface. 0: none. Such a triangle takes the place of two in the list; where the list is
+     * it is taken at the farthest corner, and at most 255 codes together with depth_bias. 0: none. A decal that lies
+     * in the plane of its surface shows with 2 and a depth_bias of 2, in the float formats of PH_DECAL_BIAS
+     * (tests/core/test_decals.c). Such a triangle takes the place of two in the list; where the list is
      * full it has depth_bias alone. */
     uint8_t depth_bias_slope;
     fx_t ambient;         /* share of the scene's ambient light reflected, 0 .. 1 */

@@ -365,6 +365,12 @@ static int answer_all(struct question *q)
         put_row(q, format, &a);
     }
     progress_show("advise", 1, 1);
+    if (asked > 0) {
+        fprintf(q->text,
+                "# A decal in the plane of its surface shows with depth_bias_slope %d and depth_bias 2, in the float "
+                "formats %d.\n",
+                PH_DECAL_SLOPE, PH_DECAL_BIAS);
+    }
     if (q->separate != 0 && asked > 0) {
         conclude(q, best, &best_answer);
     } else if (asked > 0) {

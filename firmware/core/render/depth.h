@@ -81,6 +81,12 @@ static inline int ph_depth_head(const struct ph_lens *lens)
     return lens->float_down > 3 ? 12 - lens->float_down : 9;
 }
 
+/* The material's bias, within its range: all ways to draw a triangle take it from here. */
+static inline uint32_t ph_depth_bias(const struct ph_material *material)
+{
+    return material->depth_bias < 56 ? material->depth_bias : 56;
+}
+
 /* The quotient N/w for a view distance, in the form that the head of this file describes. */
 struct ph_quotient {
     uint32_t q;

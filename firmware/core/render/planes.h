@@ -13,12 +13,6 @@ static inline int32_t ph_wide_reciprocal(uint32_t w, int *shift)
     return (int32_t)(fx_rcp_norm(w, shift) >> 1);
 }
 
-/* The material's bias, within its range. */
-static inline uint32_t ph_depth_bias(const struct ph_material *material)
-{
-    return material->depth_bias < 56 ? material->depth_bias : 56;
-}
-
 /* What the texels of a triangle are drawn with; `first` is its first corner. */
 static inline struct ph_texel_light ph_texture_light(const struct ph_material *material, const struct ph_vertex *first)
 {

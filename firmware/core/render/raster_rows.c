@@ -24,7 +24,7 @@ void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d, 
     const uint32_t end = octave <= 0 ? PH_DEPTH_WRAPPED : 2 * half;
     o->bottom = octave >= lowest ? 0 : half;
     o->size = wrapped ? 0 : end - o->bottom;
-    o->offset = ph_depth_float16_offset(octave, block, down) + ((uint32_t)t->material->depth_bias << 13);
+    o->offset = ph_depth_float16_offset(octave, block, down) + (ph_depth_bias(t->material) << 13);
     o->up = octave - down;
     o->slope = ph_depth_float16_slope(gd, o->up);
 }

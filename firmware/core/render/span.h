@@ -146,7 +146,7 @@ static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32
     const bool wrapped = d >= PH_DEPTH_WRAPPED;
     const int block = ph_block_exponent(t->block), down = ph_block_down(t->block);
     const int lowest = ph_depth_lowest(block, down), octave = ph_depth_octave(wrapped ? 0 : d, lowest);
-    const uint32_t bias = (uint32_t)t->material->depth_bias << 13;
+    const uint32_t bias = ph_depth_bias(t->material) << 13;
     const uint32_t last = d + gd * (*n - 1);
     if (wrapped || last >= PH_DEPTH_WRAPPED ||
         !ph_depth_in_octave(last, octave, lowest)) { /* only this takes a division */

@@ -399,6 +399,8 @@ static void without_a_separation_the_renderers_own_choice_is_told(void **state)
          "to 0 "
          "degrees.\n");
     assert_null(strstr(csv, "# To separate"));
+    says("# A decal in the plane of its surface shows with depth_bias_slope 2 and depth_bias 2, in the float formats "
+         "16.\n");
     assert_string_equal(cell("fixed16", LEAST), "");
     assert_string_equal(cell("fixed24", 1), "24");
     probe_status = PH_ERR_INVAL;
