@@ -96,7 +96,7 @@ double depth_separation_m(const struct ph_depth_format *format, const struct dep
     const double s_z = largest(step_m, format, lab, z, way_px), pixel = depth_pixel_slope(lab);
     const double tan_phi = hypot(lab->width, lab->height) * pixel / 2;
     const double s_xy = depth_share_m(DEPTH_SHARE_SUBPIXEL, format, lab, z);
-    const double rounded = depth_share_m(DEPTH_SHARE_INPUT, format, lab, z) +
+    const double rounded = 3 * depth_share_m(DEPTH_SHARE_INPUT, format, lab, z) +
                            depth_share_m(DEPTH_SHARE_MATRIX, format, lab, z); /* of both, along an axis */
     const double up = s_xy + s_z * tan_phi + rounded * sqrt(2) * depth_across_unit(lab), along = s_z + rounded;
     const double tilt = fmin(depth_radians(tilt_deg), atan2(up, along)); /* the one that needs most */

@@ -7,8 +7,9 @@
  * plane that differs from it by
  *   K px: corners are snapped to 1/256 px. Inside a triangle all that the corners are moved is mixed, so the plane is
  *         moved by at most 1/512 px right and down;
- *   G m:  corners are rounded when they are turned and when they are clipped, together at most 2^-16 m along the view
- *         and as many units of clip coordinates (depth_across_unit) across it, and the matrix adds 1.3 z 2^-28;
+ *   G m:  a corner is rounded when it is turned and at each plane that clips it, of which there are three at most: by
+ *         2 2^-16 m along the view and as many units of clip coordinates (depth_across_unit) across it; the matrix adds
+ *         1.3 z 2^-28;
  *   E:    what the quotient of a corner and the steps of a plane leave, in codes and in metres: depth_off,
  *         depth_off_small.
  * Two triangles in parallel planes s apart, along the normal, the one behind no farther away than z anywhere. With the

@@ -174,7 +174,7 @@ static double inverse_at(const struct scene *s, const struct plane *plane, int x
 static double moved(const struct scene *s, const struct plane *plane, double inverse)
 {
     const double across = fabs(plane->n[0]) + fabs(plane->n[1]), z = 1 / inverse;
-    const double px = s->pixel / 512 + ldexp(1, -25), rounded = LSB + ldexp(1.3 * z, -28);
+    const double px = s->pixel / 512 + ldexp(1, -25), rounded = 2 * LSB + ldexp(1.3 * z, -28);
     return (across * px + inverse * rounded * (across * depth_across_unit(&s->lab) + fabs(plane->n[2]))) / plane->c;
 }
 
