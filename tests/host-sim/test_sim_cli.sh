@@ -294,7 +294,7 @@ each_convention_is_typed_as_it_is_written() {
 
 # A wrong matrix is refused with its mistake, and drawn --anyway: HAW's projection onto z = -2 has a lens's picture.
 a_wrong_matrix_is_explained_and_drawn() {
-    local camera=(--demo cube "${small[@]}" --camera eye=2,1,5)
+    local camera=(--demo cube "${small[@]}" --camera "eye=2,1,5")
     refuses 2 'row 2, column 3 has the other sign: near goes to 4, not -1' "${camera[@]}" --crc --projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,5,0,0,-1,0 &&
         refuses 2 'handedness: determinant -1' --demo cube --crc --view-matrix 1,0,0,0,0,1,0,0,0,0,-1,-5,0,0,0,1 &&
         [ "$("$sim" "${camera[@]}" --crc --anyway --projection-matrix 2,0,0,0,0,2,0,0,0,0,2,0,0,0,-1,0 2>"$dir/stderr")" = \
@@ -305,7 +305,7 @@ a_wrong_matrix_is_explained_and_drawn() {
 
 # HAW's exercise 6 from (0,0,5): (1,2,-1) lies 6 before the eye: z_ndc = 3/2 - 5/6. An object at (1,0,-1) whose z points at +x.
 a_point_is_told_at_every_stage() {
-    local camera=(--camera eye=0,0,5 --fov 90 --near 2 --far 10 --size 200x100)
+    local camera=(--camera "eye=0,0,5" --fov 90 --near 2 --far 10 --size 200x100)
     "$sim" "${camera[@]}" --point 1,2,-1 >"$dir/point" && grep -q '^ndc.z 2/3 0.666666666667 43691 +0.333$' "$dir/point" &&
         grep -q '^clip.x 1/2 ' "$dir/point" && grep -q '^pixel.x 325/3 ' "$dir/point" && [ "$(grep -c '^depth\.' "$dir/point")" = 5 ] &&
         "$sim" "${camera[@]}" --point 0,2,0 --object 1,0,-1 | grep -qx 'ndc.z 2/3 0.666666666667 43691 +0.333' &&
