@@ -228,7 +228,8 @@ $(PROGRAMS): $(LIBS)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(LIBS) -Wl,--as-needed $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 $(foreach p,$(PROGRAMS:$(B)/pinhole-%=%),$(eval $(B)/pinhole-$(p): $(B)/host-sim/$(p)/pinhole_$(p).o))
 $(B)/pinhole-depth: override LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=depth_layers_draw_mesh # depth_layers.c records what a demo draws
-$(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_frame_begin,--defsym=__wrap_ph_frame_begin=sim_cameras_frame_begin,--wrap=ph_frame_camera,--defsym=__wrap_ph_frame_camera=sim_cameras_frame_camera # sim_cameras.c records its cameras
+$(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_frame_begin,--defsym=__wrap_ph_frame_begin=sim_cameras_frame_begin # sim_cameras.c records
+$(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_frame_camera,--defsym=__wrap_ph_frame_camera=sim_cameras_frame_camera # what cameras a demo has
 
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 	$(SAY) LD $@

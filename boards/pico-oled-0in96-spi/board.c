@@ -1,6 +1,6 @@
 /*
  * A module with seven pins (GND, VCC, D0, D1, RES, DC, CS) and four wires of SPI. A1h and C8h are those of Adafruit's
- * adafruit_ssd1306.py. Modules whose resistors are set for I2C want the board pico-oled-0in96.
+ * adafruit_ssd1306.py. Modules whose resistors are set for I2C have no board here yet.
  */
 #include "boards.h"
 

@@ -16,7 +16,7 @@ struct writer {
 static uint32_t append(struct writer *to, const void *from, size_t n)
 {
     const uint32_t at = to->used;
-    if (to->bytes != NULL) {
+    if (to->bytes != NULL && n > 0) {
         memcpy(to->bytes + at, from, n);
     }
     to->used += ((uint32_t)n + 3) & ~3u;

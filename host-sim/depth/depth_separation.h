@@ -60,7 +60,7 @@ double depth_separation_m(const struct ph_depth_format *format, const struct dep
 /* In whole steps of Q16.16, rounded up, as all commands print it; "none" for HUGE_VAL. */
 void depth_separation_text(double metres, char text[LAB_TEXT_SIZE]);
 
-/* The same as a number of steps; UINT32_MAX for 16384 m and more. */
+/* Steps for a separation in metres; UINT32_MAX for 16384 m and more. */
 uint32_t depth_separation_lsbs(double metres);
 
 #endif

@@ -360,7 +360,8 @@ static void morph(const struct model_moved *moved, const double *weights, uint32
     }
 }
 
-/* The weighted mean of the joints' matrices; false: the vertex follows none. */
+/* The weighted mean of the joints' matrices; without weights the first joint's, as on a kit. False: it has no numbers.
+ */
 static bool mean_place(const struct model_moved *moved, uint32_t source, model_matrix *joints, uint32_t count,
                        model_matrix to)
 {
@@ -376,10 +377,14 @@ static bool mean_place(const struct model_moved *moved, uint32_t source, model_m
         }
         sum += share;
     }
+    if (sum == 0) {
+        memcpy(to, joints[0], sizeof(model_matrix));
+        return count > 0;
+    }
     for (int i = 0; i < 12; i++) {
         to[i / 4][i % 4] /= sum;
     }
-    return sum > 0 && isfinite(sum);
+    return isfinite(sum);
 }
 
 static void visit_place(const struct model_rig *rig, const struct model_place *place, uint32_t node,

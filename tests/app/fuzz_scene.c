@@ -94,7 +94,10 @@ static uint32_t put_motion(void)
     static const struct ph_pose rest = {.r = {1 << 30, 0, 0, 0}, .t = {0, 0, 0}, .s = {1 << 24, 1 << 24, 1 << 24}};
     const struct ph_rig_node nodes[2] = {{-1, rest}, {0, rest}};
     const int32_t weights[2] = {0, 1 << 23};
-    struct scene_file_motion motion = {.nodes = put(nodes, sizeof nodes),
+    static const struct fx_vec3 outline[2] = {{-FX_ONE, -FX_ONE, 0}, {FX_ONE, FX_ONE, 0}};
+    struct scene_file_motion motion = {.outline = put(outline, sizeof outline),
+                                       .outline_count = 2,
+                                       .nodes = put(nodes, sizeof nodes),
                                        .rest_weights = put(weights, sizeof weights),
                                        .clips = put_clips(),
                                        .node_count = 2,

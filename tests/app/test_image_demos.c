@@ -40,6 +40,7 @@ uint64_t image_memory[1 << 16];
 uint32_t image_tiles[1];
 const size_t image_memory_bytes = sizeof image_memory, image_tiles_bytes = sizeof image_tiles, image_ahead_bytes = 0;
 void *const image_ahead = NULL;
+const uint16_t image_clip_fps = DEMO_CLIPS_BY_CLOCK;
 static uint32_t flash[64];
 const void *const image_scene = flash;
 const size_t image_scene_bytes = sizeof flash;

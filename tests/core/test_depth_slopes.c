@@ -103,8 +103,9 @@ static void begin(struct rig *rig, const struct lens *lens, const struct surface
 static struct ph_material material_of(const struct surface *surface, const uint16_t ramp[PH_RAMP_SIZE], uint16_t colour)
 {
     static const uint16_t texels[6] = {1, 2, 3, 4, 5}, opaque[1] = {UINT16_MAX};
-    static struct ph_texture textures[2][3];
-    static const struct ph_texture alphas[2] = {{.texels = opaque}, {.texels = opaque, .wrap = PH_WRAP_CLAMP}};
+    static struct ph_texture textures[PH_WRAP_CLAMP + 1][3];
+    static const struct ph_texture alphas[] = {
+        [PH_WRAP_REPEAT] = {.texels = opaque}, [PH_WRAP_CLAMP] = {.texels = opaque, .wrap = PH_WRAP_CLAMP}};
     static struct ph_blend blends[PH_BLEND_ADD + 1];
     const int filter = surface->filter == PH_FILTER_MIPMAP ? 2 : surface->filter == PH_FILTER_BILINEAR;
     struct ph_texture *const texture = &textures[surface->wrap][filter];

@@ -249,20 +249,18 @@ static void a_window_is_filled_and_begun_again(void **state)
     }
 }
 
-static struct sim_bus white_ssd1351(void)
+static void white_ssd1351(struct sim_bus *k)
 {
-    struct sim_bus k = sim_bus_with(&panel_ssd1351_128x128);
-    plug(&k);
-    wake_ssd1351(&k);
-    command(&k, 0xA0);
-    DATA(&k, "\x74");
-    command(&k, 0x5C);
+    *k = sim_bus_with(&panel_ssd1351_128x128);
+    plug(k);
+    wake_ssd1351(k);
+    command(k, 0xA0);
+    DATA(k, "\x74");
+    command(k, 0x5C);
     for (uint32_t n = 0; n < 128 * 128; n++) {
-        DATA(&k, "\xFF\xFF");
+        DATA(k, "\xFF\xFF");
     }
-    command(&k, 0xAF);
-    k.hal.context = k.sim;
-    return k;
+    command(k, 0xAF);
 }
 
 /* Six bits at the low end of three bytes each. */
@@ -287,7 +285,8 @@ static void ssd1351_takes_262k_colours(void **state)
 static void lines_beyond_the_multiplex_ratio_are_dark(void **state)
 {
     (void)state;
-    struct sim_bus k = white_ssd1351();
+    struct sim_bus k;
+    white_ssd1351(&k);
     command(&k, 0xCA);
     DATA(&k, "\x0F");
     assert_int_equal(seen_at(&k, 128, 0, 15), 0xFFFFFF);
@@ -299,7 +298,8 @@ static void lines_beyond_the_multiplex_ratio_are_dark(void **state)
 static void modes_and_contrast_change_what_is_seen(void **state)
 {
     (void)state;
-    struct sim_bus k = white_ssd1351();
+    struct sim_bus k;
+    white_ssd1351(&k);
     command(&k, 0xA7);
     assert_int_equal(seen_at(&k, 128, 0, 0), 0x000000);
     command(&k, 0xA5); /* all on, whatever the memory has */
@@ -326,7 +326,8 @@ static void modes_and_contrast_change_what_is_seen(void **state)
 static void the_lock_is_opened_by_itself(void **state)
 {
     (void)state;
-    struct sim_bus k = white_ssd1351();
+    struct sim_bus k;
+    white_ssd1351(&k);
     command(&k, 0xFD);
     DATA(&k, "\x16");
     command(&k, 0xFD);
