@@ -316,6 +316,7 @@ a_point_is_told_at_every_stage() {
 # Each command for teachers (host-sim/README.md) draws or prints something; the one that shows a mistake is refused.
 the_teachers_commands_work() {
     local words status
+    # shellcheck disable=SC2016 # backquotes of the paper
     sed -n '/^## For teachers/,/^## pinhole-asset/s/`\(pinhole-sim [^`]*\)`/\n\1\n/gp' host-sim/README.md | grep '^pinhole-sim ' >"$dir/commands"
     [ "$(wc -l <"$dir/commands")" -ge 25 ] || return 1
     while read -ra words; do
@@ -338,7 +339,7 @@ all_cameras_of_a_demo_are_printed() {
     "$sim" --matrix --demo conventions >"$dir/matrix" && [ "$(grep -cx view "$dir/matrix")" = 4 ] &&
         [ "$(awk 'NR % 16 == 8 || NR % 16 == 9 { print $3 }' "$dir/matrix" | tr '\n' ' ')" = '0.5 -0.5 -0.5 -0.5 0.5 0.5 -0.5 0.5 ' ] &&
         [ "$(grep ^camera "$dir/matrix" | tr '\n' ' ')" = 'camera 1 of 4 camera 2 of 4 camera 3 of 4 camera 4 of 4 ' ] || return 1
-    for demo in zoom parallel; do [ "$("$sim" --matrix --demo $demo | grep -c '^camera [12] of 2$')" = 2 ] || return 1; done
+    for demo in zoom parallel; do [ "$("$sim" --matrix --demo "$demo" | grep -c '^camera [12] of 2$')" = 2 ] || return 1; done
     ! "$sim" --matrix --demo cube | grep camera
 }
 

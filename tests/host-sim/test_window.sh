@@ -207,6 +207,7 @@ refuses() { # pattern, command...: exit 1 and one line
 
 without_sdl2_it_says_what_to_install() { # nosdl's window comes before the library's
     local libraries wraps
+    # shellcheck disable=SC2016 # make's variable
     read -ra wraps < <(sed -n 's|^$(B)/pinhole-sim:.* \(-Wl[^ ]*\).*|\1|p' Makefile | xargs)
     read -ra libraries < <({ pkg-config --libs assimp; pkg-config --libs libpng; pkg-config --libs libjpeg; pkg-config --libs libwebp; [ ! -e /usr/include/gif_lib.h ] || echo -lgif; [ ! -e /usr/include/meshoptimizer.h ] || echo -lmeshoptimizer; } 2>/dev/null | xargs)
     ${CC:-cc} -std=c11 -Ifirmware/core -Ihost-sim/common -Ihost-sim/sim host-sim/sim/nosdl/sim_window.c "$B/host-sim/sim/pinhole_sim.o" "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" \
