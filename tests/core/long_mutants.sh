@@ -72,7 +72,7 @@ ambient light lost                       | render/light.c   | s/diffuse = local-
 attenuation lost                         | render/light_point.c | s/(int32_t)(reciprocal >> (32 - shift))/16384/       | test_light
 a spot without its cone                  | render/light_point.c | s/l->kind->in_cone != NULL/false/                    | test_light
 highlight to another power               | render/light.h   | s/k = local->shininess_log2; k > 0/k = local->shininess_log2; k > 1/ | test_light
-light of another part kept               | render/mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
+light of another part kept               | render/mesh_light.c | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
 depth bias ignored                       | render/planes.h  | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
 steep triangles flattened                | render/setup.c   | s/ph_set_exact(r, t->material, .*//                    | test_depth_slopes
 colours with the depth of large triangles| render/setup.c   | s/small \&\& (colours ||/small \&\& (false ||/        | test_depth_slopes
