@@ -6,6 +6,7 @@ cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
+unset SHARE # of the tests that this one is among
 mkdir -p "$dir/tests/tools" "$dir/tests/core" && cp tests/run.sh "$dir/tests" && cp tests/tools/packages.sh tests/tools/tap.sh "$dir/tests/tools" && : >"$dir/tests/tools/packages"
 
 # A Makefile of dummies, which takes a moment.
