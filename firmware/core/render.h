@@ -641,7 +641,7 @@ int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
  *         colours, and the config no PH_COLOURS. Built with
  *         -DPH_CHECKED also: a triangle or an edge names a vertex, or a part triangles or a material, that are not
  *         there, a texture has no texels or a side beyond 2^PH_TEXTURE_LOG2_MAX, or a corner lies outside of the
- *         bounds. Nothing is drawn. ph_check_mesh() of diagnose.h says which of these it is.
+ *         bounds. Nothing is drawn. ph_check_mesh() of status.h says which of these it is.
  *         PH_ERR_NOMEM: the mesh has more vertices than the vertex budget; it is left out and counted. (If other meshes
  *         have taken the room, it is counted, too, but that is no error. A mesh whose bounds are off the picture needs
  *         none.) PH_ERR_STATE: no frame has begun, or its bands are made; nothing is drawn.

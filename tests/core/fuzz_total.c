@@ -12,7 +12,6 @@
  */
 #include "blur.h"
 #include "camera.h"
-#include "diagnose.h"
 #include "fx_math.h"
 #include "motion.h"
 #include "overlay.h"

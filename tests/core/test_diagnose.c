@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "diagnose.h"
+#include "render.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* What is wrong with a mesh: see diagnose.h. */
-#include "diagnose.h"
+/* ph_check_mesh: see status.h. */
+#include "status.h"
 
 #include "check.h"
 #include "list.h"

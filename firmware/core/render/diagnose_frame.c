@@ -1,5 +1,5 @@
-/* Why a picture is empty: see diagnose.h. */
-#include "diagnose.h"
+/* Why a picture is empty: see status.h. */
+#include "status.h"
 
 #include "list.h"
 

@@ -3,7 +3,6 @@
 #ifndef EXAMPLE_H
 #define EXAMPLE_H
 
-#include <pinhole/diagnose.h>
 #include <pinhole/render.h>
 
 #include <stdio.h>
