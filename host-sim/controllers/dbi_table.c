@@ -5,18 +5,7 @@
  * GC9A01's and ILI9488's registers for voltages and gamma are taken as fixed bytes, those that the makers of modules
  * publish.
  */
-#include "sim_table.h"
-
-#define FIELDS(...)                                                                                                    \
-    .fields = (const struct sim_field[]){__VA_ARGS__},                                                                 \
-    .field_count = sizeof((const struct sim_field[]){__VA_ARGS__}) / sizeof(struct sim_field)
-#define BARE .exact = NULL
-#define BYTES(...)                                                                                                     \
-    .exact = (const uint8_t[])                                                                                         \
-    {                                                                                                                  \
-        __VA_ARGS__                                                                                                    \
-    }
-#define LIST(list) .commands = (list), .count = sizeof(list) / sizeof((list)[0])
+#include "sim_rows.h"
 
 /* clang-format off */
 static const struct sim_command common[] = {

@@ -3,18 +3,7 @@
  * in their own lowest bits (the page, the column's halves, the start line) stand here by the first of them; sim_page.c
  * knows how many follow. Everything may be written asleep and awake.
  */
-#include "sim_table.h"
-
-#define FIELDS(...)                                                                                                    \
-    .fields = (const struct sim_field[]){__VA_ARGS__},                                                                 \
-    .field_count = sizeof((const struct sim_field[]){__VA_ARGS__}) / sizeof(struct sim_field)
-#define BARE .exact = NULL
-#define BYTES(...)                                                                                                     \
-    .exact = (const uint8_t[])                                                                                         \
-    {                                                                                                                  \
-        __VA_ARGS__                                                                                                    \
-    }
-#define LIST(list) .commands = (list), .count = sizeof(list) / sizeof((list)[0])
+#include "sim_rows.h"
 
 /* What all three have; SSD1306 section 9, table 9-1. */
 /* clang-format off */

@@ -5,18 +5,7 @@
  * SSD0323's voltages, phases, clocks and grey levels are taken as fixed bytes: those that Luminary Micro's DriverLib
  * sends to this glass (osram128x64x4.c, after OSRAM's application note AN018).
  */
-#include "sim_table.h"
-
-#define FIELDS(...)                                                                                                    \
-    .fields = (const struct sim_field[]){__VA_ARGS__},                                                                 \
-    .field_count = sizeof((const struct sim_field[]){__VA_ARGS__}) / sizeof(struct sim_field)
-#define BARE .exact = NULL
-#define BYTES(...)                                                                                                     \
-    .exact = (const uint8_t[])                                                                                         \
-    {                                                                                                                  \
-        __VA_ARGS__                                                                                                    \
-    }
-#define LIST(list) .commands = (list), .count = sizeof(list) / sizeof((list)[0])
+#include "sim_rows.h"
 
 /* clang-format off */
 /* Commands of the SSD1351: datasheet, table 9-1 and 10.1. */

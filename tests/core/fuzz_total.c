@@ -509,7 +509,7 @@ static void skins(const int32_t *a)
     }
     struct fx_vec3 positions[3];
     int16_t normals[3][3];
-    const struct ph_bound from = {base, base, in, 3, (uint8_t)(12 + (uint32_t)a[24] % 13)};
+    const struct ph_bound from = {base, base, in, 3, (uint8_t)(12 + (uint32_t)a[24] % 13), a[24] < 0};
     ph_skin_vertices(&from, joints, positions, normals);
     ph_skin_mesh(NULL, &from, joints, positions, normals);
     for (int i = 0; i < 3; i++) {
