@@ -8,15 +8,14 @@
  */
 #include "panel_diff.h"
 
+#include "panel_weigh.h"
+
 #include <string.h>
 
 #define DECIDE_LINES 32 /* fewer lines wait for the next call */
 #define SLAB_LINES   64 /* highest slab; it bounds the time */
 #define COARSE_LINES 4  /* where a write costs time slabs are cut at every fourth line: 1/16 of the time to plan */
 #define WRITE_NS_MAX 10000000
-#define TRIES_LEAST  16 /* frames until the slower way is tried again, and more for what a try costs: */
-#define TRIES_A_LOSS 64 /* it loses about one frame in so many */
-#define TRIES_MOST   1024
 
 struct area {
     uint32_t x0, x1, y0, y1; /* x1, y1: one past the end */
@@ -462,66 +461,11 @@ static void decide(struct panel_diff *diff)
     diff->first = diff->row;
 }
 
-/* ---- which way is faster ------------------------------------------------------------------------- */
-
-static uint32_t median(const uint32_t us[3])
-{
-    const uint32_t low = lesser(us[0], us[1]), high = larger(us[0], us[1]);
-    return larger(low, lesser(high, us[2]));
-}
-
-/* Keeps the time of the frame that ends now; `whole` is how it was sent. */
-static void keep_time(struct panel_diff *diff, uint32_t us)
-{
-    const int way = diff->whole;
-    for (int i = diff->taken[way] == 0 ? 0 : 2; i < 3; i++) { /* the first one counts for all three */
-        diff->taken_us[way][diff->oldest[way]] = us;
-        diff->oldest[way] = (uint8_t)((diff->oldest[way] + 1) % 3);
-    }
-    diff->taken[way] = 1;
-}
-
-/* Frames until the slower way is tried again: the more it loses, the later. */
-static uint32_t tries_after(uint32_t windows_us, uint32_t whole_us)
-{
-    const uint32_t fast = larger(lesser(windows_us, whole_us), 1), slow = larger(windows_us, whole_us);
-    const uint64_t loss = (uint64_t)TRIES_A_LOSS * (slow - fast) / fast;
-    return loss < TRIES_MOST - TRIES_LEAST ? TRIES_LEAST + (uint32_t)loss : TRIES_MOST;
-}
-
-/* Decides whether this frame, which could be sent as windows, is better sent whole. */
-static bool better_whole(struct panel_diff *diff)
-{
-    const uint32_t windows_us = median(diff->taken_us[0]), whole_us = median(diff->taken_us[1]);
-    if (diff->taken[1] == 0 || windows_us <= diff->bits_us) {
-        return windows_us > diff->bits_us; /* else no whole frame can be faster */
-    }
-    const bool whole = whole_us + whole_us / 16 < windows_us, tries = diff->tries == 0;
-    diff->tries = tries ? tries_after(windows_us, whole_us) : diff->tries - 1;
-    return whole != tries;
-}
-
-/* Takes the time of the frame before, then decides on this one. Only for backends whose writes take time. */
-static bool weigh(struct panel_diff *diff, const struct panel_driver *d)
-{
-    if (d->hal.ops->write_ns == NULL) {
-        return false;
-    }
-    const uint32_t now_us = d->hal.ops->time_us(d->hal.context);
-    if (diff->timed && !diff->unknown) {
-        keep_time(diff, now_us - diff->begun_us);
-    }
-    diff->begun_us = now_us;
-    diff->timed = d->lit && !diff->unknown;
-    diff->bits_us = panel_frame_us(d->config.panel, d->config.format, d->config.rotation, (uint32_t)d->clock_hz);
-    return !diff->unknown && better_whole(diff);
-}
-
 /* ---- frames ------------------------------------------------------------------------------------- */
 
 int panel_diff_begin(struct panel_diff *diff, struct panel_driver *d)
 {
-    const bool better = weigh(diff, d);
+    const bool better = panel_weigh(diff, d);
     diff->whole = diff->unknown || better || (diff->refresh_frames != 0 && ++diff->frames >= diff->refresh_frames);
     diff->frames = diff->whole ? 0 : diff->frames;
     diff->unknown = true; /* until the frame has ended without error */
