@@ -1,4 +1,6 @@
 # Pinhole. `make help` lists what there is to make; every variable below may be given on the command line.
+# No rules of make's own: looking through them is half of what a make with nothing to do takes.
+MAKEFLAGS += -r
 CC ?= cc
 AR ?= ar
 CFLAGS ?= -O2 -g
@@ -123,7 +125,7 @@ rooms = $(patsubst %,-I$(1)/%,$(2))
 INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx geom render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
           $(call rooms,hal,panel chips/rp2 rp2040) $(call rooms,host-sim,$(filter-out common,$(ROOMS)) model/formats model/gltf) $(call rooms,tests,support oracle) $(if $(call have,cmocka),,-Itests/support/bare) $(DRM_CFLAGS)
 INC = $(INC_ALL)
-$(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o $(B)/host-sim/emulate/%.o: WARN += -Wconversion -Wno-sign-conversion
+$(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o $(B)/host-sim/emulate/%.o: private WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)
 $(B)/firmware/core/render/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,render kernels)
 $(B)/firmware/core/effects/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,render kernels)

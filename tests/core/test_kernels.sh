@@ -128,7 +128,7 @@ long "a_last_pixel_without_fog_for_armv6m_is_seen" change_is_seen armv6m fog_ali
 long "a_hidden_pixel_of_a_line_for_armv6m_is_seen" change_is_seen armv6m line_pixels 's/bls 1f/blo 1f/'
 long "a_sample_counted_twice_for_armv6m_is_seen" change_is_seen armv6m halve 's/cmp r4, r6/cmp r4, r4/'
 long "a_fourth_pixel_of_two_colours_for_armv7m_is_seen" change_is_seen armv7m halve 's/cmpeq r7, r7, ror #16/cmpeq r7, r7/'
-short "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/r6, r10, r11, r0, r1$/r10, r6, r11, r0, r1/'
+long "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/r6, r10, r11, r0, r1$/r10, r6, r11, r0, r1/'
 long "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'
 long "a_bend_lost_for_armv7m_is_seen" change_is_seen armv7m texture_small 's/mla r12, r12, r0, r4/mov r12, r4/'
 long "texels_too_bright_for_armv6m_are_seen" change_is_seen armv6m texel_row_lit 's/lsrs r5, r5, #24/lsrs r5, r5, #23/' 'texel_row_lit texel_run_rows'
@@ -155,7 +155,7 @@ long "a_sample_counted_twice_for_rv32_is_seen" change_is_seen rv32 halve 's/turn
 long "a_pixel_of_two_colours_for_rv32_is_seen" change_is_seen rv32 halve 's/bne t0, t2, mean_/bne t0, t0, mean_/'
 long "a_texel_beside_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/ori t4, t0, 1$/ori t4, t0, 3/'
 long "a_texture_that_is_not_clamped_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/bnez t4, clamped/bltz t4, inside/'
-short "a_bend_lost_for_rv32_is_seen" change_is_seen rv32 texture_small 's/slli s10, s10, 2/slli s10, s10, 1/'
+long "a_bend_lost_for_rv32_is_seen" change_is_seen rv32 texture_small 's/slli s10, s10, 2/slli s10, s10, 1/'
 long "a_carry_lost_in_vertices_for_rv32_is_seen" change_is_seen rv32 vertices 's/andi \\to, \\to, 15/andi \\to, \\to, 1/'
 long "a_reciprocal_one_too_large_for_rv32_is_seen" change_is_seen rv32 vertices 's/bgez t2, 1f/j 1f/'
 long "half_the_light_for_rv32_is_seen" change_is_seen rv32 setup_small 's/addi a1, t6, -17/addi a1, t6, -16/'
@@ -164,7 +164,7 @@ long "a_triangle_on_edge_that_is_drawn_for_rv32_is_seen" change_is_seen rv32 cul
 long "a_clip_plane_forgotten_for_rv32_is_seen" change_is_seen rv32 cull 's/andi s0, s0, 0x3f/andi s0, s0, 0x1f/'
 if [ "$(uname -m)" = x86_64 ]; then
     short "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
-    short "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
+    long "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
     long "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen gouraud8.h 's/switch (n & 7)/switch (n \& 3)/'
     long "half_the_green_of_a_mean_for_x86_64_is_seen" vector_change_is_seen halve.c 's/_mm_slli_epi16(green, 13)/_mm_setzero_si128()/'
     long "a_sample_left_out_of_a_mean_for_x86_64_is_seen" vector_change_is_seen halve.c 's/lower + 2 \* at/lower + at/'

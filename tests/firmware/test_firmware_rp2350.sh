@@ -14,12 +14,12 @@ trap 'rm -rf "$dir"' EXIT
 board=pico2-display-2
 
 of() { # ISA: what follows is about this image
-    isa=$1 cross=arm-none-eabi- image=$B/firmware/$board-demos-cores2
-    [ "$isa" = arm ] || cross=riscv64-unknown-elf- image=$B/firmware/$board-demos-$isa-cores2
+    isa=$1 cross=arm-none-eabi- image=$B/firmware/$board-demos-cores2-fps30
+    [ "$isa" = arm ] || cross=riscv64-unknown-elf- image=$B/firmware/$board-demos-$isa-cores2-fps30
 }
 
-builds() {
-    make_image firmware BOARD="$board" ISA="$isa" CORES=2 >"$dir/said" 2>&1 || { cat "$dir/said" && return 1; }
+builds() { # the image that test_firmware_scene.sh takes, too
+    make_image firmware BOARD="$board" ISA="$isa" CORES=2 CLIP_FPS=30 >"$dir/said" 2>&1 || { cat "$dir/said" && return 1; }
     cat "$dir/said"
     grep -q '^flash .* of 4194304 bytes' "$dir/said" && grep -q '^stack ' "$dir/said"
 }

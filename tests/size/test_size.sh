@@ -24,18 +24,18 @@ is_as_recorded() { # record, bytes
     [ "$2" -ge $(($1 * 98 / 100)) ] || { echo "$2 bytes, $1 before: write it into tests/size/bytes.csv" && return 1; }
 }
 
-# Whether the program that was linked last has a function.
-links() { # function
-    arm-none-eabi-nm "$B/m0plus-os/program.elf" | grep -q " $1$"
+# Which of the functions the program has that was linked last.
+linked_of() { # function...
+    arm-none-eabi-nm "$B/m0plus-os/program.elf" | awk -v names="$*" 'BEGIN { n = split(names, name); for (i = 1; i <= n; i++) { asked[name[i]] } }
+        $3 in asked { print $3 }'
 }
+links() { [ -n "$(linked_of "$1")" ]; } # function
 
 # What a program that does not name a feature must not link, each by one function of it.
 links_none_of() { # function...: of the program that was linked last
-    local function found=''
-    for function; do
-        ! links "$function" || found="$found $function"
-    done
-    [ -z "$found" ] || { echo "it links$found" && return 1; }
+    local found
+    found=$(linked_of "$@" | xargs)
+    [ -z "$found" ] || { echo "it links $found" && return 1; }
 }
 
 named=$(cut -d, -f5 tests/size/bytes.csv | sed 1d | tr ' ' '\n' | sort -u) # the last two programs link all of them

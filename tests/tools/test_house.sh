@@ -60,20 +60,22 @@ a_foreign_symbol() { # C text, folder... whose names it may have; none: those of
 # which lies a folder above what is behind it, is a module of its own. Of a name that is found twice (a file of a CPU
 # replaces the portable one) both count.
 includes() { # folder...
-    find "$@" -name '*.[chS]' | while read -r file; do
-        echo "file $file"
-        sed -n 's/^ *# *include "\([^"]*\)".*/include \1/p' "$file"
-    done | awk '
+    local files=(find "$@" -name '*.[chS]')
+    {
+        "${files[@]}" -printf 'file %p\n'
+        "${files[@]}" -exec awk 'sub(/^ *# *include "/, "") && sub(/".*/, "") { print "include", FILENAME, $0 }' {} +
+    } | awk '
         function stem(path) { sub(/\.[chS]$/, "", path); return path }
         function folder(path) { return match(path, /.*\//) ? substr(path, 1, RLENGTH - 1) : "" }
-        $1 == "file" { file = $2; here[file]; next }
-        { from[++n] = file; what[n] = $2 }
+        function base(path) { sub(/.*\//, "", path); return path }
+        $1 == "file" { here[$2]; named[base($2)] = named[base($2)] " " $2; next }
+        { from[++n] = $2; what[n] = $3 }
         END {
             for (i = 1; i <= n; i++) {
                 beside = folder(from[i]) "/" what[i]
-                for (path in here) {
-                    if (beside in here ? path == beside : substr(path, length(path) - length(what[i])) == "/" what[i]) {
-                        if (stem(from[i]) != stem(path)) { print stem(from[i]), stem(path) }
+                for (j = split(named[base(what[i])], path, " "); j > 0; j--) {
+                    if (beside in here ? path[j] == beside : substr(path[j], length(path[j]) - length(what[i])) == "/" what[i]) {
+                        if (stem(from[i]) != stem(path[j])) { print stem(from[i]), stem(path[j]) }
                     }
                 }
             }
@@ -118,13 +120,11 @@ too_many() { # folder, how many entries it may have
 }
 
 long_functions() { # lines, folder...
-    find "${@:2}" -name '*.[ch]' | sort | while read -r file; do
-        awk -v most="$1" '
-            /^[a-zA-Z].*\(/ && !/;$/ { head = FNR; name = $0 }
-            /^{/ { open = head ? head : FNR }
-            /^}/ { if (open && FNR - open + 1 > most) { print FILENAME ":" open ": " FNR - open + 1 " lines: " name } open = head = 0 }
-        ' "$file"
-    done
+    find "${@:2}" -name '*.[ch]' -exec awk -v most="$1" '
+        FNR == 1 { open = head = 0 }
+        /^[a-zA-Z].*\(/ && !/;$/ { head = FNR; name = $0 }
+        /^{/ { open = head ? head : FNR }
+        /^}/ { if (open && FNR - open + 1 > most) { print FILENAME ":" open ": " FNR - open + 1 " lines: " name } open = head = 0 }' {} +
 }
 
 a_long_function() { # lines
@@ -156,9 +156,8 @@ misspelt() { # folder...
 
 # Functions of these headers, but of the renderer's, that a test does not name.
 uncalled() { # test, header...
-    find "${@:2}" ! -name render.h -exec grep -hoE '^[a-z][a-z0-9_ ]*[ *](fx|ph)_[a-z0-9_]+\(' {} + | grep -oE '[a-z0-9_]+\($' | tr -d '(' | sort -u | while read -r name; do
-        grep -qw "$name" "$1" || echo "$1 does not call $name"
-    done
+    find "${@:2}" ! -name render.h -exec grep -hoE '^[a-z][a-z0-9_ ]*[ *](fx|ph)_[a-z0-9_]+\(' {} + | grep -oE '[a-z0-9_]+\($' | tr -d '(' | sort -u |
+        grep -vxFf <(grep -oE '[A-Za-z0-9_]+' "$1") | sed "s|^|$1 does not call |"
 }
 
 an_uncalled_function() {
@@ -176,12 +175,18 @@ functions() { # folder...
 }
 
 named() { # Makefile, linker script, awk program...
-    local file
-    for file; do
-        sed -E 's/ENTRY\([a-z0-9_]*\)|--wrap=[a-z_]*,--defsym=[a-z_=]*//; s|/\*.*\*/||; s/(^| )#.*//' "$file" >"$dir/text"
-        grep -oE '\.(text|rodata)\.[a-z_][A-Za-z0-9_.]*' "$dir/text" | sort -u | sed "s|^|$file: |"
-        grep -oE '[a-z][a-z0-9]*_[a-z0-9_]*' "$dir/text" | sort -u | grep -xFf "$dir/functions" | sed "s|^|$file: |"
-    done
+    awk 'FNR == NR { functions[$1]; next }
+        {
+            sub(/ENTRY\([a-z0-9_]*\)|--wrap=[a-z_]*,--defsym=[a-z_=]*/, "")
+            sub(/\/\*.*\*\//, "")
+            sub(/(^| )#.*/, "")
+            for (text = $0; match(text, /\.(text|rodata)\.[a-z_][A-Za-z0-9_.]*/); text = substr(text, RSTART + RLENGTH)) {
+                print FILENAME ": " substr(text, RSTART, RLENGTH)
+            }
+            for (text = $0; match(text, /[a-z][a-z0-9]*_[a-z0-9_]*/); text = substr(text, RSTART + RLENGTH)) {
+                if (substr(text, RSTART, RLENGTH) in functions) { print FILENAME ": " substr(text, RSTART, RLENGTH) }
+            }
+        }' "$dir/functions" "$@" | sort -u
 }
 
 scripts() { { git ls-files Makefile '*.mk' '*.ld' '*.awk' 2>/dev/null | grep . || find Makefile firmware hal boards tests -name Makefile -o -name '*.mk' -o -name '*.ld' -o -name '*.awk'; } | xargs ls 2>/dev/null; }
