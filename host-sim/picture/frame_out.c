@@ -83,7 +83,7 @@ static int open_directory(struct frame_out *out)
 static int open_gif(struct frame_out *out)
 {
     out->kind = FRAME_OUT_GIF;
-    const int status = gif_out_new(&out->gif, out->path);
+    const int status = gif_out_new(&out->gif, out->path, out->scale > 0 ? out->scale : 1);
     if (gif_out_reason != NULL) {
         return complain("%s: %s", out->path, gif_out_reason);
     }
@@ -223,7 +223,11 @@ int frame_out_put(struct frame_out *out, uint32_t frame, const struct ppm *pictu
 int frame_out_close(struct frame_out *out, int status)
 {
     if (out->kind == FRAME_OUT_GIF && gif_out_count(out->gif) > 0 && (status == 0 || out->is_full)) {
-        const int saved = gif_out_save(out->gif, out->path, out->scale > 0 ? out->scale : 1);
+        const int saved = gif_out_save(out->gif, out->path);
+        if (saved == 0 && gif_out_every(out->gif) > 1) {
+            complain_note("%s: towards its end it has one frame of %u, so that it stays below %u MB", out->path,
+                          (unsigned)gif_out_every(out->gif), GIF_OUT_BYTES_MOST / 1000000);
+        }
         status = saved == 0 ? status : complain("%s: cannot be written: %s", out->path, strerror(-saved));
     }
     if (out->kind == FRAME_OUT_GIF) {

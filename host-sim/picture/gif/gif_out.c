@@ -1,5 +1,5 @@
-/* See gif_out.h. Frames wait in a temporary file, because the palette is known only after the last one. */
-#define _XOPEN_SOURCE 700 /* mkstemp, fseeko */
+/* See gif_out.h. Frames are packed as they come, into a file without a name, which is copied at the end. */
+#define _XOPEN_SOURCE 700 /* mkstemp, pread */
 
 #include "gif_out.h"
 
@@ -13,21 +13,26 @@
 #include <string.h>
 #include <unistd.h>
 
-#define DELAY_CS  3   /* hundredths of a second a frame: the nearest to 30 frames a second that a GIF has */
-#define PALETTE   256 /* the last entry is "as before" */
-#define AS_BEFORE 255
-#define CELLS     32768 /* colours of 5 bits a channel */
+#define DELAY_CS 3     /* hundredths of a second a frame: the nearest to 30 frames a second that a GIF has */
+#define PALETTE  256   /* entries at most; the last one is "as before" */
+#define CELLS    32768 /* colours of 5 bits a channel */
 
 #define DITHER 16   /* of 255: how far the dither moves a colour in all */
 #define SLOTS  1024 /* of the hash that finds a colour of an exact palette */
 
+#define EVERY_MOST 16384 /* frames: a delay has 16 bits */
+
 struct gif_out {
-    uint32_t width, height, count;
-    FILE *waiting;  /* the frames, one behind the other */
-    uint8_t *frame; /* the one that was read last */
+    uint32_t width, height, scale, count;
+    uint32_t every;          /* of so many frames one is kept */
+    FILE *waiting;           /* the file so far, without its end */
+    off_t size;              /* of what waits, in whole frames */
+    GifFileType *file;       /* what writes there */
+    uint8_t *shown;          /* the frame that was kept last */
+    uint8_t *entries, *line; /* of the frame that is packed; a line of it as it is enlarged */
     GifColorType palette[PALETTE];
-    int colours;
-    bool exact;             /* the palette has every colour of all frames */
+    int colours, as_before; /* as_before: the last entry, of as many as a power of 2 */
+    bool exact;             /* the palette has every colour that the frame sends */
     int16_t slots[SLOTS];   /* entry + 1 of an exact palette; 0: free */
     uint8_t nearest[CELLS]; /* entry + 1 for a cell of colours; 0: not looked up yet */
 };
@@ -49,47 +54,33 @@ static FILE *open_waiting(const char *path)
     return fdopen(descriptor, "w+b");
 }
 
-int gif_out_new(struct gif_out **gif, const char *path)
+int gif_out_new(struct gif_out **gif, const char *path, uint32_t scale)
 {
     *gif = calloc(1, sizeof **gif);
     if (*gif == NULL) {
         return PH_ERR_NOMEM;
     }
+    (*gif)->scale = scale;
+    (*gif)->every = 1;
     (*gif)->waiting = open_waiting(path);
     return (*gif)->waiting != NULL ? 0 : file_save_status();
 }
 
 void gif_out_free(struct gif_out *gif)
 {
-    if (gif != NULL && gif->waiting != NULL) {
+    if (gif == NULL) {
+        return;
+    }
+    if (gif->file != NULL) {
+        EGifCloseFile(gif->file, NULL);
+    }
+    if (gif->waiting != NULL) {
         fclose(gif->waiting);
     }
-    if (gif != NULL) {
-        free(gif->frame);
-    }
+    free(gif->shown);
+    free(gif->entries);
+    free(gif->line);
     free(gif);
-}
-
-static size_t frame_bytes(const struct gif_out *gif)
-{
-    return (size_t)gif->width * gif->height * 3;
-}
-
-int gif_out_add(struct gif_out *gif, const struct ppm *picture)
-{
-    gif->width = picture->width;
-    gif->height = picture->height;
-    if (gif->frame == NULL) {
-        gif->frame = malloc(frame_bytes(gif));
-    }
-    if (gif->frame == NULL) {
-        return PH_ERR_NOMEM;
-    }
-    if (fwrite(picture->rgb, 1, frame_bytes(gif), gif->waiting) != frame_bytes(gif) || fflush(gif->waiting) != 0) {
-        return file_save_status();
-    }
-    gif->count++;
-    return 0;
 }
 
 uint32_t gif_out_count(const struct gif_out *gif)
@@ -97,15 +88,18 @@ uint32_t gif_out_count(const struct gif_out *gif)
     return gif->count;
 }
 
-/* Reads a frame; NULL: it cannot be read. */
-static const uint8_t *read_frame(const struct gif_out *gif, uint32_t number)
+uint32_t gif_out_every(const struct gif_out *gif)
 {
-    const bool is_read = fseeko(gif->waiting, (off_t)frame_bytes(gif) * number, SEEK_SET) == 0 &&
-                         fread(gif->frame, 1, frame_bytes(gif), gif->waiting) == frame_bytes(gif);
-    return is_read ? gif->frame : NULL;
+    return gif->every;
 }
 
-/* ---- the palette ------------------------------------------------------------------------------------- */
+/* ---- the palette of a frame -------------------------------------------------------------------------- */
+
+/* Does the frame send pixel i? Those that stay as they were are not sent again. */
+static bool is_sent(const struct gif_out *gif, const uint8_t *rgb, size_t i)
+{
+    return gif->count == 0 || memcmp(gif->shown + 3 * i, rgb + 3 * i, 3) != 0;
+}
 
 /* The slot where this colour is, or would be. There are four times as many slots as colours. */
 static int16_t *slot_of(struct gif_out *gif, const uint8_t rgb[3])
@@ -120,24 +114,20 @@ static int16_t *slot_of(struct gif_out *gif, const uint8_t rgb[3])
     }
 }
 
-/* Takes every colour of all frames into the palette. False if there are too many, or a frame cannot be read. */
-static bool take_all_colours(struct gif_out *gif)
+/* Takes every colour that the frame sends into the palette. False if there are too many. */
+static bool take_all_colours(struct gif_out *gif, const uint8_t *rgb)
 {
     const size_t pixels = (size_t)gif->width * gif->height;
-    for (uint32_t f = 0; f < gif->count; f++) {
-        const uint8_t *rgb = read_frame(gif, f);
-        for (size_t i = 0; rgb != NULL && i < pixels; i++, rgb += 3) {
-            int16_t *const slot = slot_of(gif, rgb);
-            if (*slot == 0 && gif->colours == AS_BEFORE) {
+    memset(gif->slots, 0, sizeof gif->slots);
+    gif->colours = 0;
+    for (size_t i = 0; i < pixels; i++) {
+        int16_t *const slot = is_sent(gif, rgb, i) ? slot_of(gif, rgb + 3 * i) : NULL;
+        if (slot != NULL && *slot == 0) {
+            if (gif->colours == PALETTE - 1) {
                 return false;
             }
-            if (*slot == 0) {
-                gif->palette[gif->colours++] = (GifColorType){rgb[0], rgb[1], rgb[2]};
-                *slot = (int16_t)gif->colours;
-            }
-        }
-        if (rgb == NULL) {
-            return false;
+            gif->palette[gif->colours++] = (GifColorType){rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]};
+            *slot = (int16_t)gif->colours;
         }
     }
     return true;
@@ -166,7 +156,7 @@ static uint8_t find_nearest(const struct gif_out *gif, int red, int green, int b
     return (uint8_t)best;
 }
 
-/* What all frames have of a cell of colours: its middle, and the root of its pixels, so that a large background leaves
+/* What the frame sends of a cell of colours: its middle, and the root of its pixels, so that a large background leaves
  * colours for what stands before it. */
 struct sample {
     int red, green, blue;
@@ -174,15 +164,12 @@ struct sample {
 };
 
 /* Returns how many samples there are; all[] has room for CELLS. */
-static uint32_t take_samples(const struct gif_out *gif, uint32_t *counts, struct sample *all)
+static uint32_t take_samples(const struct gif_out *gif, const uint8_t *rgb, uint32_t *counts, struct sample *all)
 {
     const size_t pixels = (size_t)gif->width * gif->height;
     uint32_t n = 0;
-    for (uint32_t f = 0; f < gif->count; f++) {
-        const uint8_t *rgb = read_frame(gif, f);
-        for (size_t i = 0; rgb != NULL && i < pixels; i++, rgb += 3) {
-            counts[cell_of(rgb[0], rgb[1], rgb[2])]++;
-        }
+    for (size_t i = 0; i < pixels; i++) {
+        counts[cell_of(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2])] += is_sent(gif, rgb, i);
     }
     for (int cell = 0; cell < CELLS; cell++) {
         if (counts[cell] > 0) {
@@ -225,15 +212,16 @@ static void improve_colours(struct gif_out *gif, const struct sample *all, uint3
 }
 
 /* Chooses 255 colours: every so many samples one, then improved. 0 or PH_ERR_NOMEM. */
-static int choose_colours(struct gif_out *gif)
+static int choose_colours(struct gif_out *gif, const uint8_t *rgb)
 {
     uint32_t *const counts = calloc(CELLS, sizeof *counts);
     struct sample *const all = malloc(CELLS * sizeof *all);
     if (counts != NULL && all != NULL) {
-        const uint32_t n = take_samples(gif, counts, all);
-        gif->colours = AS_BEFORE;
-        for (uint32_t i = 0; i < AS_BEFORE; i++) {
-            const struct sample *const s = &all[(uint64_t)i * n / AS_BEFORE];
+        const uint32_t n = take_samples(gif, rgb, counts, all);
+        gif->colours = PALETTE - 1;
+        memset(gif->nearest, 0, sizeof gif->nearest);
+        for (uint32_t i = 0; i < PALETTE - 1; i++) {
+            const struct sample *const s = &all[(uint64_t)i * n / (PALETTE - 1)];
             gif->palette[i] = (GifColorType){(uint8_t)s->red, (uint8_t)s->green, (uint8_t)s->blue};
         }
         for (int i = 0; i < 12; i++) {
@@ -272,59 +260,42 @@ static uint8_t entry_of(struct gif_out *gif, const uint8_t rgb[3], uint32_t x, u
     return (uint8_t)(*known - 1);
 }
 
-/* Turns a frame into entries; `before` has those that are shown, and gets the new ones. False: it cannot be read. */
-static bool fill_entries(struct gif_out *gif, uint32_t frame, uint8_t *before, uint8_t *entries)
+static void fill_entries(struct gif_out *gif, const uint8_t *rgb)
 {
-    const uint8_t *rgb = read_frame(gif, frame);
-    for (uint32_t y = 0; rgb != NULL && y < gif->height; y++) {
-        for (uint32_t x = 0; x < gif->width; x++, rgb += 3) {
-            const uint8_t entry = entry_of(gif, rgb, x, y);
-            *entries++ = frame > 0 && entry == *before ? AS_BEFORE : entry;
-            *before++ = entry;
+    for (uint32_t y = 0; y < gif->height; y++) {
+        for (uint32_t x = 0; x < gif->width; x++) {
+            const size_t i = (size_t)y * gif->width + x;
+            gif->entries[i] = is_sent(gif, rgb, i) ? entry_of(gif, rgb + 3 * i, x, y) : (uint8_t)gif->as_before;
         }
     }
-    return rgb != NULL;
 }
 
-/* Writes entries, each pixel scale x scale times. */
-static bool put_entries(GifFileType *file, const struct gif_out *gif, const uint8_t *entries, uint32_t scale,
-                        uint8_t *line)
+/* Writes the entries, each pixel scale x scale times. */
+static bool put_entries(const struct gif_out *gif)
 {
+    const uint32_t scale = gif->scale;
     for (uint32_t y = 0; y < gif->height * scale; y++) {
         for (uint32_t x = 0; x < gif->width * scale; x++) {
-            line[x] = entries[(size_t)(y / scale) * gif->width + x / scale];
+            gif->line[x] = gif->entries[(size_t)(y / scale) * gif->width + x / scale];
         }
-        if (EGifPutLine(file, line, (int)(gif->width * scale)) != GIF_OK) {
+        if (EGifPutLine(gif->file, gif->line, (int)(gif->width * scale)) != GIF_OK) {
             return false;
         }
     }
     return true;
 }
 
-static bool put_frame(GifFileType *file, const struct gif_out *gif, uint32_t frame, const uint8_t *entries,
-                      uint32_t scale, uint8_t *line)
+static bool put_frame(const struct gif_out *gif)
 {
-    const GraphicsControlBlock control = {DISPOSE_DO_NOT, false, DELAY_CS,
-                                          frame > 0 ? AS_BEFORE : NO_TRANSPARENT_COLOR};
+    const GraphicsControlBlock control = {DISPOSE_DO_NOT, false, (int)(DELAY_CS * gif->every),
+                                          gif->count > 0 ? gif->as_before : NO_TRANSPARENT_COLOR};
     GifByteType bytes[4];
     const size_t n = EGifGCBToExtension(&control, bytes);
-    return EGifPutExtension(file, GRAPHICS_EXT_FUNC_CODE, (int)n, bytes) == GIF_OK &&
-           EGifPutImageDesc(file, 0, 0, (int)(gif->width * scale), (int)(gif->height * scale), false, NULL) == GIF_OK &&
-           put_entries(file, gif, entries, scale, line);
-}
-
-/* Writes size, palette and "repeat for ever". */
-static bool put_head(GifFileType *file, const struct gif_out *gif, uint32_t scale)
-{
-    static const GifByteType loop[3] = {1, 0, 0};
-    ColorMapObject *const map = GifMakeMapObject(PALETTE, gif->palette);
-    EGifSetGifVersion(file, true);
-    const bool good =
-        map != NULL &&
-        EGifPutScreenDesc(file, (int)(gif->width * scale), (int)(gif->height * scale), 8, 0, map) == GIF_OK &&
-        EGifPutExtensionLeader(file, APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
-        EGifPutExtensionBlock(file, 11, "NETSCAPE2.0") == GIF_OK && EGifPutExtensionBlock(file, 3, loop) == GIF_OK &&
-        EGifPutExtensionTrailer(file) == GIF_OK;
+    ColorMapObject *const map = GifMakeMapObject(gif->as_before + 1, gif->palette);
+    const bool good = map != NULL && EGifPutExtension(gif->file, GRAPHICS_EXT_FUNC_CODE, (int)n, bytes) == GIF_OK &&
+                      EGifPutImageDesc(gif->file, 0, 0, (int)(gif->width * gif->scale), (int)(gif->height * gif->scale),
+                                       false, map) == GIF_OK &&
+                      put_entries(gif);
     GifFreeMapObject(map);
     return good;
 }
@@ -334,39 +305,94 @@ static int write_bytes(GifFileType *file, const GifByteType *bytes, int n)
     return (int)fwrite(bytes, 1, (size_t)n, file->UserData);
 }
 
-struct job {
-    struct gif_out *gif;
-    uint32_t scale;
-    uint8_t *before, *entries, *line;
-};
-
-static int write_gif(FILE *to, const void *context)
+/* Writes size and "repeat for ever". */
+static bool put_head(struct gif_out *gif)
 {
-    const struct job *job = context;
-    GifFileType *const file = EGifOpen(to, write_bytes, NULL);
-    bool good = file != NULL && put_head(file, job->gif, job->scale);
-    for (uint32_t f = 0; good && f < job->gif->count; f++) {
-        good = fill_entries(job->gif, f, job->before, job->entries) &&
-               put_frame(file, job->gif, f, job->entries, job->scale, job->line);
+    static const GifByteType loop[3] = {1, 0, 0};
+    gif->file = EGifOpen(gif->waiting, write_bytes, NULL);
+    if (gif->file == NULL) {
+        return false;
     }
-    good = (file == NULL || EGifCloseFile(file, NULL) == GIF_OK) && good;
-    return good && fflush(to) == 0 ? 0 : file_save_status();
+    EGifSetGifVersion(gif->file, true);
+    return EGifPutScreenDesc(gif->file, (int)(gif->width * gif->scale), (int)(gif->height * gif->scale), 8, 0, NULL) ==
+               GIF_OK &&
+           EGifPutExtensionLeader(gif->file, APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
+           EGifPutExtensionBlock(gif->file, 11, "NETSCAPE2.0") == GIF_OK &&
+           EGifPutExtensionBlock(gif->file, 3, loop) == GIF_OK && EGifPutExtensionTrailer(gif->file) == GIF_OK;
 }
 
-int gif_out_save(struct gif_out *gif, const char *path, uint32_t scale)
+static int begin(struct gif_out *gif, const struct ppm *picture)
 {
-    const size_t pixels = (size_t)gif->width * gif->height;
-    struct job job = {gif, scale, malloc(pixels), malloc(pixels), malloc((size_t)gif->width * scale)};
-    int status = job.before != NULL && job.entries != NULL && job.line != NULL ? 0 : PH_ERR_NOMEM;
-    gif->exact = take_all_colours(gif);
-    if (status == 0 && !gif->exact) {
-        status = choose_colours(gif);
+    const size_t pixels = (size_t)picture->width * picture->height;
+    gif->width = picture->width;
+    gif->height = picture->height;
+    gif->shown = malloc(3 * pixels);
+    gif->entries = malloc(pixels);
+    gif->line = malloc((size_t)picture->width * gif->scale);
+    if (gif->shown == NULL || gif->entries == NULL || gif->line == NULL) {
+        return PH_ERR_NOMEM;
     }
-    if (status == 0) {
-        status = file_save(path, write_gif, &job);
+    return put_head(gif) ? 0 : file_save_status();
+}
+
+/* The fewer bytes are left of the most that a file has, the fewer frames are kept: half of them from half of it on, a
+ * quarter from three quarters on, and so forth. */
+static void thin_out(struct gif_out *gif)
+{
+    const uint32_t next = 2 * gif->every;
+    if (gif->size > GIF_OUT_BYTES_MOST - GIF_OUT_BYTES_MOST / next && gif->count % next == 0 && next <= EVERY_MOST) {
+        gif->every = next;
     }
-    free(job.before);
-    free(job.entries);
-    free(job.line);
+}
+
+static int keep(struct gif_out *gif, const uint8_t *rgb)
+{
+    gif->exact = take_all_colours(gif, rgb);
+    const int status = gif->exact ? 0 : choose_colours(gif, rgb);
+    if (status != 0) {
+        return status;
+    }
+    for (gif->as_before = 1; gif->as_before < gif->colours;) {
+        gif->as_before += gif->as_before + 1;
+    }
+    fill_entries(gif, rgb);
+    if (!put_frame(gif) || fflush(gif->waiting) != 0) {
+        return file_save_status();
+    }
+    gif->size = ftello(gif->waiting);
+    memcpy(gif->shown, rgb, (size_t)3 * gif->width * gif->height);
+    return 0;
+}
+
+int gif_out_add(struct gif_out *gif, const struct ppm *picture)
+{
+    int status = gif->count == 0 ? begin(gif, picture) : 0;
+    thin_out(gif);
+    if (status == 0 && gif->count % gif->every == 0) {
+        status = keep(gif, picture->rgb);
+    }
+    gif->count += status == 0;
     return status;
+}
+
+/* Copies the whole frames, whatever of another follows them, and ends the file. */
+static int write_gif(FILE *to, const void *context)
+{
+    const struct gif_out *const gif = context;
+    uint8_t bytes[16384];
+    for (off_t at = 0; at < gif->size;) {
+        const off_t left = gif->size - at;
+        const ssize_t n =
+            pread(fileno(gif->waiting), bytes, left < (off_t)sizeof bytes ? (size_t)left : sizeof bytes, at);
+        if (n <= 0 || fwrite(bytes, 1, (size_t)n, to) != (size_t)n) {
+            return file_save_status();
+        }
+        at += n;
+    }
+    return fputc(';', to) != EOF && fflush(to) == 0 ? 0 : file_save_status();
+}
+
+int gif_out_save(const struct gif_out *gif, const char *path)
+{
+    return file_save(path, write_gif, gif);
 }

@@ -5,9 +5,9 @@
 
 const char *const gif_out_reason = "this was built without giflib; install libgif-dev (Debian) and make again";
 
-int gif_out_new(struct gif_out **gif, const char *path)
+int gif_out_new(struct gif_out **gif, const char *path, uint32_t scale)
 {
-    (void)path;
+    (void)path, (void)scale;
     *gif = NULL;
     return HAL_ENOSYS;
 }
@@ -18,6 +18,12 @@ uint32_t gif_out_count(const struct gif_out *gif)
     return 0;
 }
 
+uint32_t gif_out_every(const struct gif_out *gif)
+{
+    (void)gif;
+    return 1;
+}
+
 int gif_out_add(struct gif_out *gif, const struct ppm *picture)
 {
     (void)gif;
@@ -25,11 +31,10 @@ int gif_out_add(struct gif_out *gif, const struct ppm *picture)
     return HAL_ENOSYS;
 }
 
-int gif_out_save(struct gif_out *gif, const char *path, uint32_t scale)
+int gif_out_save(const struct gif_out *gif, const char *path)
 {
     (void)gif;
     (void)path;
-    (void)scale;
     return HAL_ENOSYS;
 }
 

@@ -34,10 +34,10 @@ static void add(struct gif_out *gif, uint32_t width, uint32_t height, const uint
     assert_int_equal(gif_out_add(gif, &picture), 0);
 }
 
-static struct gif_out *fresh(void)
+static struct gif_out *fresh(uint32_t scale)
 {
     struct gif_out *gif = NULL;
-    assert_int_equal(gif_out_new(&gif, path), 0);
+    assert_int_equal(gif_out_new(&gif, path, scale), 0);
     assert_int_equal(access(path, F_OK), -1); /* frames wait without a name */
     assert_int_equal(gif_out_count(gif), 0);
     return gif;
@@ -49,7 +49,7 @@ static const GifColorType *colour(GifFileType *gif, int frame, int i)
     GraphicsControlBlock control;
     assert_int_equal(DGifSavedExtensionToGCB(gif, frame, &control), GIF_OK);
     const int entry = gif->SavedImages[frame].RasterBits[i];
-    return entry == control.TransparentColor ? NULL : &gif->SColorMap->Colors[entry];
+    return entry == control.TransparentColor ? NULL : &gif->SavedImages[frame].ImageDesc.ColorMap->Colors[entry];
 }
 
 static void expect_colour(const GifColorType *c, const uint8_t *rgb)
@@ -64,11 +64,11 @@ static const uint8_t second[18] = {1, 2, 3, 0, 0, 0, 0, 0, 0, 9, 8, 7, 77, 2, 3,
 static void few_colours_are_exact_and_what_stays_is_not_sent(void **state)
 {
     (void)state;
-    struct gif_out *const out = fresh();
+    struct gif_out *const out = fresh(1);
     add(out, 3, 2, first);
     add(out, 3, 2, second);
     assert_int_equal(gif_out_count(out), 2);
-    assert_int_equal(gif_out_save(out, path, 1), 0);
+    assert_int_equal(gif_out_save(out, path), 0);
     gif_out_free(out);
     GifFileType *const gif = decoded();
     assert_true(gif->SWidth == 3 && gif->SHeight == 2 && gif->ImageCount == 2);
@@ -86,10 +86,10 @@ static void few_colours_are_exact_and_what_stays_is_not_sent(void **state)
 static void frames_take_three_hundredths_and_repeat_for_ever(void **state)
 {
     (void)state;
-    struct gif_out *const out = fresh();
+    struct gif_out *const out = fresh(1);
     add(out, 3, 2, first);
     add(out, 3, 2, second);
-    assert_int_equal(gif_out_save(out, path, 1), 0);
+    assert_int_equal(gif_out_save(out, path), 0);
     gif_out_free(out);
     GifFileType *const gif = decoded();
     for (int frame = 0; frame < 2; frame++) {
@@ -114,9 +114,9 @@ static void frames_take_three_hundredths_and_repeat_for_ever(void **state)
 static void a_pixel_becomes_a_square(void **state)
 {
     (void)state;
-    struct gif_out *const out = fresh();
+    struct gif_out *const out = fresh(4);
     add(out, 3, 2, first);
-    assert_int_equal(gif_out_save(out, path, 4), 0);
+    assert_int_equal(gif_out_save(out, path), 0);
     gif_out_free(out);
     GifFileType *const gif = decoded();
     assert_true(gif->SWidth == 12 && gif->SHeight == 8);
@@ -130,7 +130,7 @@ static void a_pixel_becomes_a_square(void **state)
 static void expect_exact(int n, bool green_alone, bool exact)
 {
     uint8_t rgb[3 * 256];
-    struct gif_out *const out = fresh();
+    struct gif_out *const out = fresh(1);
     bool same = true;
     for (int i = 0; i < 256; i++) {
         const int c = i < n ? i : 0;
@@ -139,7 +139,7 @@ static void expect_exact(int n, bool green_alone, bool exact)
         rgb[3 * i + 2] = (uint8_t)(green_alone ? 6 : c);
     }
     add(out, 16, 16, rgb);
-    assert_int_equal(gif_out_save(out, path, 1), 0);
+    assert_int_equal(gif_out_save(out, path), 0);
     gif_out_free(out);
     GifFileType *const gif = decoded();
     for (int i = 0; i < 256; i++) {
@@ -167,7 +167,7 @@ static void many_colours_are_fitted_and_dithered(void **state)
 {
     (void)state;
     static uint8_t rgb[3 * 64 * 64];
-    struct gif_out *const out = fresh();
+    struct gif_out *const out = fresh(1);
     long sum[3] = {0}, got[3] = {0};
     for (int i = 0; i < 64 * 64; i++) {
         rgb[3 * i] = (uint8_t)(i % 64 * 4);
@@ -176,7 +176,7 @@ static void many_colours_are_fitted_and_dithered(void **state)
     }
     add(out, 64, 64, rgb);
     add(out, 64, 64, rgb);
-    assert_int_equal(gif_out_save(out, path, 1), 0);
+    assert_int_equal(gif_out_save(out, path), 0);
     gif_out_free(out);
     GifFileType *const gif = decoded();
     for (int i = 0; i < 64 * 64; i++) {
@@ -195,11 +195,47 @@ static void many_colours_are_fitted_and_dithered(void **state)
     DGifCloseFile(gif, NULL);
 }
 
+/* Noise of 64x64 pixels in 8 colours takes 1.8 KB a frame. */
+static void a_long_one_keeps_ever_fewer_frames_for_their_time(void **state)
+{
+    static uint8_t rgb[3 * 64 * 64];
+    (void)state;
+    enum { FRAMES = 16000 };
+    struct gif_out *const out = fresh(1);
+    uint32_t random = 1, every = 1;
+    for (int frame = 0; frame < FRAMES; frame++) {
+        for (int i = 0; i < 3 * 64 * 64; i++) {
+            random = random * 1664525 + 1013904223;
+            rgb[i] = (uint8_t)(random >> 31) * 255;
+        }
+        add(out, 64, 64, rgb);
+        assert_true(gif_out_every(out) == every || gif_out_every(out) == 2 * every);
+        every = gif_out_every(out);
+    }
+    assert_true(gif_out_count(out) == FRAMES && every > 1);
+    assert_int_equal(gif_out_save(out, path), 0);
+    gif_out_free(out);
+    FILE *const file = fopen(path, "rb");
+    assert_non_null(file);
+    fseek(file, 0, SEEK_END);
+    assert_true(ftell(file) < GIF_OUT_BYTES_MOST && ftell(file) > GIF_OUT_BYTES_MOST / 2);
+    fclose(file);
+    GifFileType *const gif = decoded();
+    long hundredths = 0;
+    for (int frame = 0; frame < gif->ImageCount; frame++) {
+        GraphicsControlBlock control;
+        assert_int_equal(DGifSavedExtensionToGCB(gif, frame, &control), GIF_OK);
+        hundredths += control.DelayTime;
+    }
+    assert_true(hundredths >= 3 * FRAMES && hundredths < 3 * (FRAMES + (int)every));
+    DGifCloseFile(gif, NULL);
+}
+
 static void a_folder_that_is_missing_is_told(void **state)
 {
     (void)state;
     struct gif_out *gif = NULL;
-    assert_int_equal(gif_out_new(&gif, "none/a.gif"), -ENOENT);
+    assert_int_equal(gif_out_new(&gif, "none/a.gif", 1), -ENOENT);
     gif_out_free(gif);
     gif_out_free(NULL);
     assert_null(gif_out_reason);
@@ -219,6 +255,7 @@ int main(void)
         cmocka_unit_test(a_pixel_becomes_a_square),
         cmocka_unit_test(colours_up_to_255_are_exact),
         cmocka_unit_test(many_colours_are_fitted_and_dithered),
+        cmocka_unit_test(a_long_one_keeps_ever_fewer_frames_for_their_time),
         cmocka_unit_test(a_folder_that_is_missing_is_told),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
