@@ -333,6 +333,9 @@ struct stage {
     struct frame_check check;
     struct key_script keys;
     struct sim_window *window; /* NULL: none asked for */
+    char title[160];           /* of the window, as it is shown */
+    bool paused;
+    uint64_t held_us; /* how long it was, before the frame that comes */
 };
 
 static void print_crc(FILE *file, const struct sim_options *o, uint32_t frame, const struct ppm *picture)
@@ -376,7 +379,65 @@ static int follow(const struct sim_options *o, struct stage *stage, struct sim_p
         status = sim_player_open(p, stage->setup);
     }
     sim_player_move(p, before.orbit, before.tilt, before.dolly);
-    return status == 0 ? sim_window_resize(stage->window, stage->setup->board->title, width, height) : status;
+    return status == 0 ? sim_window_resize(stage->window, width, height) : status;
+}
+
+static uint64_t now_us(void)
+{
+    struct timespec now = {.tv_sec = 0};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000 + (uint64_t)now.tv_nsec / 1000;
+}
+
+/* Shows the demo's name, the kit's, and whether time stands still. */
+static void name_window(struct stage *stage, const struct sim_player *p)
+{
+    char title[sizeof stage->title];
+    const char *const name = stage->setup->file != NULL ? stage->setup->file : p->runner.demo->name;
+    snprintf(title, sizeof title, "%s - %s%s", name, stage->setup->board->title, stage->paused ? " - paused" : "");
+    if (strcmp(title, stage->title) != 0) {
+        memcpy(stage->title, title, sizeof title);
+        sim_window_title(stage->window, title);
+    }
+}
+
+/* Saves the picture that the window shows, in the folder where the program runs. A full disk does not end it. */
+static void save_picture(const struct sim_options *o, const struct sim_player *p, uint32_t frame)
+{
+    char name[80];
+    struct frame_out out = {.scale = o->scale};
+    snprintf(name, sizeof name, "pinhole-%s-%04u.png", p->runner.demo->name, (unsigned)frame);
+    int status = frame_out_open(&out, name, false, frame);
+    if (status == 0) {
+        status = frame_out_close(&out, frame_out_put(&out, frame, &p->picture));
+    }
+    if (status == 0) {
+        complain_note("%s is saved", name);
+    }
+}
+
+/* Reads the window, again and again while it is paused. False: it was closed. */
+static bool read_window(const struct sim_options *o, struct stage *stage, const struct sim_player *p, uint32_t frame,
+                        struct sim_window_input *input)
+{
+    const uint64_t from_us = now_us();
+    bool stays = true;
+    do {
+        name_window(stage, p);
+        if (!sim_window_input(stage->window, input)) {
+            return false;
+        }
+        if (input->save) {
+            save_picture(o, p, frame > o->start ? frame - 1 : frame);
+        }
+        stage->paused = input->step || stage->paused != input->pause;
+        stays = stage->paused && !input->step && signal_stop == 0;
+        if (stays) {
+            sim_window_show(stage->window, p->picture.rgb, SHORTEST_NS);
+        }
+    } while (stays);
+    stage->held_us = now_us() - from_us;
+    return true;
 }
 
 /* Sets the kit's buttons from script and keyboard, and moves the camera by the mouse. 0, COMPLAINED, or WINDOW_CLOSED.
@@ -386,7 +447,7 @@ static int press(const struct sim_options *o, struct stage *stage, struct sim_pl
 {
     struct sim_window_input input = {.buttons = 0};
     if (stage->window != NULL) {
-        if (!sim_window_input(stage->window, &input)) {
+        if (!read_window(o, stage, p, frame, &input)) {
             return WINDOW_CLOSED;
         }
         if (o->antialias) {
@@ -406,13 +467,6 @@ static int press(const struct sim_options *o, struct stage *stage, struct sim_pl
     return 0;
 }
 
-static uint64_t now_us(void)
-{
-    struct timespec now = {.tv_sec = 0};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (uint64_t)now.tv_sec * 1000000 + (uint64_t)now.tv_nsec / 1000;
-}
-
 static int run_frames(const struct sim_options *o, struct stage *stage, struct sim_player *p)
 {
     const bool drawn =
@@ -426,9 +480,10 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
         runner_pass(&p->runner, (uint32_t)(us - before_us));
         before_us = us;
         status = press(o, stage, p, o->start + i);
-        if (status != 0) {
+        if (status != 0 || signal_stop != 0) {
             break;
         }
+        before_us += stage->held_us; /* a clip waits, too */
         if (bar) {
             progress_show("frames", i, o->frames);
         }

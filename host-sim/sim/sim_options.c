@@ -275,7 +275,9 @@ static const struct option_row rows[] = {
      "a file", .at = offsetof(struct sim_options, keys)},
     {"window", NULL,
      "shows the panel live, scaled up; arrows and Enter or space are its buttons, the mouse and\n"
-     "        its wheel move the camera, Esc ends",
+     "        its wheel move the camera; P pauses, N takes the next frame, S saves the picture "
+     "(pinhole-DEMO-FRAME.png),\n"
+     "        F fills the screen, Esc ends",
      NULL, .at = offsetof(struct sim_options, show_window)},
     {"matrix", NULL,
      "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",

@@ -22,9 +22,14 @@ bool sim_window_input(const struct sim_window *window, struct sim_window_input *
     return true;
 }
 
-int sim_window_resize(struct sim_window *window, const char *title, uint16_t width, uint16_t height)
+void sim_window_title(struct sim_window *window, const char *title)
 {
-    (void)window, (void)title, (void)width, (void)height;
+    (void)window, (void)title;
+}
+
+int sim_window_resize(struct sim_window *window, uint16_t width, uint16_t height)
+{
+    (void)window, (void)width, (void)height;
     return 0;
 }
 

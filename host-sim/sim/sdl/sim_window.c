@@ -47,9 +47,13 @@ static bool set_size(struct sim_window *w, int width, int height)
     return w->texture != NULL && SDL_RenderSetLogicalSize(w->renderer, width, height) == 0;
 }
 
-int sim_window_resize(struct sim_window *window, const char *title, uint16_t width, uint16_t height)
+void sim_window_title(struct sim_window *window, const char *title)
 {
     SDL_SetWindowTitle(window->window, title);
+}
+
+int sim_window_resize(struct sim_window *window, uint16_t width, uint16_t height)
+{
     return set_size(window, width, height) ? 0 : complain("--window: %s", SDL_GetError());
 }
 
@@ -105,15 +109,38 @@ static uint16_t pixels(int on_screen, int scale)
     return (uint16_t)(n < 1 ? 1 : n > 1024 ? 1024 : n);
 }
 
+static void fill_screen(SDL_Window *window)
+{
+    const bool fills = (SDL_GetWindowFlags(window) & SDL_WINDOW_FULLSCREEN_DESKTOP) == SDL_WINDOW_FULLSCREEN_DESKTOP;
+    SDL_SetWindowFullscreen(window, fills ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+}
+
+/* A key went down; one that is up again counts, too, and one that is held counts once, but for the kit's buttons.
+ * False: Esc. */
+static bool take_key(SDL_Window *window, const SDL_KeyboardEvent *key, struct sim_window_input *input)
+{
+    const SDL_Scancode code = key->keysym.scancode;
+    input->buttons |= button_of(code);
+    input->step |= code == SDL_SCANCODE_N;
+    if (key->repeat == 0) {
+        input->pause ^= code == SDL_SCANCODE_P;
+        input->save |= code == SDL_SCANCODE_S;
+        if (code == SDL_SCANCODE_F) {
+            fill_screen(window);
+        }
+    }
+    return code != SDL_SCANCODE_ESCAPE;
+}
+
 bool sim_window_input(const struct sim_window *window, struct sim_window_input *input)
 {
     bool open = true;
     *input = (struct sim_window_input){.buttons = 0};
     for (SDL_Event event; SDL_PollEvent(&event);) {
-        if (event.type == SDL_QUIT || (event.type == SDL_KEYDOWN && event.key.keysym.scancode == SDL_SCANCODE_ESCAPE)) {
+        if (event.type == SDL_QUIT) {
             open = false;
-        } else if (event.type == SDL_KEYDOWN) { /* a key that is up again counts, too */
-            input->buttons |= button_of(event.key.keysym.scancode);
+        } else if (event.type == SDL_KEYDOWN) {
+            open = take_key(window->window, &event.key, input) && open;
         } else if (event.type == SDL_MOUSEWHEEL) {
             input->notches += event.wheel.y;
         } else if (event.type == SDL_MOUSEMOTION && (event.motion.state & SDL_BUTTON_LMASK) != 0) {

@@ -141,6 +141,30 @@ static void escape_or_closing_ends_it(void **state)
     assert_false(sim_window_input(window, &input));
 }
 
+static void keys_pause_step_save_and_fill_the_screen(void **state)
+{
+    (void)state;
+    key(SDL_SCANCODE_P);
+    assert_true(sim_window_input(window, &input) && input.pause && !input.step && !input.save);
+    key(SDL_SCANCODE_P);
+    key(SDL_SCANCODE_P);
+    key(SDL_SCANCODE_N);
+    key(SDL_SCANCODE_S);
+    assert_true(sim_window_input(window, &input) && !input.pause && input.step && input.save);
+    assert_true(sim_window_input(window, &input) && !input.pause && !input.step && !input.save);
+    SDL_Event held = {.key = {.type = SDL_KEYDOWN, .repeat = 1, .keysym = {.scancode = SDL_SCANCODE_P}}};
+    SDL_PushEvent(&held);
+    held.key.keysym.scancode = SDL_SCANCODE_N;
+    SDL_PushEvent(&held);
+    assert_true(sim_window_input(window, &input) && !input.pause && input.step);
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(SDL_GetWindowFlags(sdl_window()) & SDL_WINDOW_FULLSCREEN, i * SDL_WINDOW_FULLSCREEN);
+        key(SDL_SCANCODE_F);
+        assert_true(sim_window_input(window, &input) && input.buttons == 0);
+    }
+    assert_int_equal(SDL_GetWindowFlags(sdl_window()) & SDL_WINDOW_FULLSCREEN, 0);
+}
+
 /* Reads the picture back from the window. */
 static void pictures_are_shown_and_their_size_may_change(void **state)
 {
@@ -149,7 +173,8 @@ static void pictures_are_shown_and_their_size_may_change(void **state)
     for (int i = 0; i < 100; i++) {
         rgb[3 * i] = (uint8_t)(2 * i), rgb[3 * i + 1] = 100, rgb[3 * i + 2] = (uint8_t)(255 - i);
     }
-    assert_int_equal(sim_window_resize(window, "Another", 10, 10), 0);
+    assert_int_equal(sim_window_resize(window, 10, 10), 0);
+    sim_window_title(window, "Another");
     assert_string_equal(SDL_GetWindowTitle(sdl_window()), "Another");
     sim_window_show(window, rgb, 0);
     SDL_Renderer *const renderer = SDL_GetRenderer(sdl_window());
@@ -207,6 +232,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(each_key_is_a_button_though_it_is_up_again, open_window, close_window),
         cmocka_unit_test_setup_teardown(pointer_drags_with_its_left_button_alone, open_window, close_window),
         cmocka_unit_test_setup_teardown(escape_or_closing_ends_it, open_window, close_window),
+        cmocka_unit_test_setup_teardown(keys_pause_step_save_and_fill_the_screen, open_window, close_window),
         cmocka_unit_test_setup_teardown(pictures_are_shown_and_their_size_may_change, open_window, close_window),
         cmocka_unit_test_setup_teardown(a_picture_waits_until_it_is_due, open_window, close_window),
         cmocka_unit_test(without_a_screen_a_line_says_so),
