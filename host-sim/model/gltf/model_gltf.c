@@ -29,6 +29,7 @@ struct reader {
     uint32_t *first_mesh;     /* of each mesh of the file, and one more */
     bool has_whole_positions; /* some positions are integers */
     bool has_alphas;          /* some vertex colours are not opaque */
+    bool has_more_joints;     /* some vertex follows more than four */
 };
 
 static bool read_attribute(struct gltf_file *file, const struct gltf_json *attributes, const char *name,
@@ -64,15 +65,55 @@ static bool read_colours(struct gltf_file *file, const struct gltf_json *attribu
     return read_attribute(file, attributes, name, p->channels, &p->vertex_count, &p->colours);
 }
 
-static bool read_moved(struct gltf_file *file, const struct gltf_json *from, const struct gltf_json *attributes,
-                       struct primitive *p)
+/* Offers a joint to a vertex, which keeps four: those with the largest weights. Returns whether one is lost. */
+static bool offer_joint(float joints[4], float weights[4], float joint, float weight)
+{
+    int least = 0;
+    for (int k = 1; k < 4; k++) {
+        const bool is_less = weights[least] > 0 && weights[k] < weights[least];
+        least = is_less || !(weights[k] > 0) ? k : least;
+    }
+    const bool has_room = !(weights[least] > 0);
+    if (weight > 0 && (has_room || weight > weights[least])) {
+        joints[least] = joint;
+        weights[least] = weight;
+    }
+    return weight > 0 && !has_room;
+}
+
+/* Reads the joints of each vertex and their weights: four in each set, of which a file may have any number. */
+static bool read_joints(struct reader *reader, const struct gltf_json *attributes, struct primitive *p)
+{
+    struct model_moved *m = &p->moved;
+    for (unsigned set = 0;; set++) {
+        char names[2][32];
+        float *joints = NULL, *weights = NULL;
+        snprintf(names[0], sizeof names[0], "JOINTS_%u", set);
+        snprintf(names[1], sizeof names[1], "WEIGHTS_%u", set);
+        if (!read_attribute(reader->file, attributes, names[0], 4, &p->vertex_count, &joints) ||
+            !read_attribute(reader->file, attributes, names[1], 4, &p->vertex_count, &weights)) {
+            return false;
+        }
+        if (set == 0) {
+            m->joints = joints;
+            m->weights = weights;
+        }
+        if (joints == NULL || weights == NULL) {
+            return set == 0 || joints == weights ||
+                   gltf_file_failed(reader->file, "a primitive has only one of %s and %s", names[0], names[1]);
+        }
+        for (size_t i = 0; set > 0 && i < 4 * (size_t)p->vertex_count; i++) {
+            const size_t vertex = i & ~(size_t)3;
+            reader->has_more_joints =
+                offer_joint(m->joints + vertex, m->weights + vertex, joints[i], weights[i]) || reader->has_more_joints;
+        }
+    }
+}
+
+static bool read_targets(struct gltf_file *file, const struct gltf_json *from, struct primitive *p)
 {
     const struct gltf_json *item, *targets = gltf_json_get(from, "targets");
     struct model_moved *m = &p->moved;
-    if (!read_attribute(file, attributes, "JOINTS_0", 4, &p->vertex_count, &m->joints) ||
-        !read_attribute(file, attributes, "WEIGHTS_0", 4, &p->vertex_count, &m->weights)) {
-        return false;
-    }
     const uint32_t count = gltf_json_is(targets, GLTF_JSON_ARRAY) ? targets->count : 0;
     m->targets = calloc((size_t)count + 1, sizeof *m->targets);
     m->target_normals = calloc((size_t)count + 1, sizeof *m->target_normals);
@@ -149,7 +190,7 @@ static bool read_primitive(struct reader *reader, const struct gltf_json *from, 
     }
     if (!read_attribute(file, attributes, "NORMAL", 3, &p->vertex_count, &p->normals) ||
         !read_attribute(file, attributes, name, 2, &p->vertex_count, &p->uvs) || !read_colours(file, attributes, p) ||
-        !read_moved(file, from, attributes, p)) {
+        !read_joints(reader, attributes, p) || !read_targets(file, from, p)) {
         return false;
     }
     reader->has_whole_positions = reader->has_whole_positions || has_integers(file, attributes, "POSITION");
@@ -435,6 +476,9 @@ static void note_ignored(struct model_shared *shared, const struct reader *reade
     const struct gltf_file *file = reader->file;
     if (reader->has_alphas) {
         model_shared_note(shared, "alphas of vertex colours are ignored");
+    }
+    if (reader->has_more_joints) {
+        model_shared_note(shared, "of more than four joints of a vertex the four with the largest weights count");
     }
     if (reader->has_whole_positions && !gltf_file_uses(file, "KHR_mesh_quantization")) {
         model_shared_note(shared, "its positions are integers, which takes the extension KHR_mesh_quantization, and it "

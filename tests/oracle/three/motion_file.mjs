@@ -1,8 +1,9 @@
 /*
  * Usage: node motion_file.mjs FILE.gltf SEED
- * Writes a glTF file whose parts move: a skinned strip of 4 joints (rotations in each interpolation, translations, scales
- * that are not 1, four joints a vertex), a box on a chain of nodes that turn, and a box with two morph
- * targets. Clips: `all`, `one key`, `none` (no length).
+ * Writes a glTF file whose parts move: a skinned tube of 4 joints (rotations in each interpolation, translations, scales
+ * that are not 1, four joints a vertex), a tube on a chain of nodes that turn, a tube with two morph targets, and a
+ * second skin of 9 joints, which are numbers of 16 bits, with two morph targets and eight joints a vertex.
+ * Clips: `all`, `one key`, `none` (no length).
  */
 import { writeFileSync } from 'node:fs'
 
@@ -37,6 +38,22 @@ function accessor(numbers, type, width, kind = 5126, target) {
 // ---- meshes: rings of 4 vertices, one above the other
 
 const RINGS = 7
+/* Eight joints of nine a vertex, whose weights are all different, in any order. */
+function eight(attributes) {
+  const joints = [], weights = []
+  for (let v = 0; v < RINGS * 4; v++) {
+    const first = Math.floor(any(0, 9)), own = [...Array(8).keys()].map((k) => 2 ** k + Math.floor(any(0, 2 ** k)))
+    own.push(...own.splice(0, Math.floor(any(0, 8))))
+    const sum = own.reduce((a, b) => a + b)
+    joints.push(own.map((_, k) => (first + k) % 9))
+    weights.push(own.map((w) => w / sum))
+  }
+  for (const set of [0, 1]) {
+    const part = (list) => list.flatMap((l) => l.slice(4 * set, 4 * set + 4))
+    attributes[`JOINTS_${set}`] = accessor(part(joints), 'VEC4', 4, 5123, 34962)
+    attributes[`WEIGHTS_${set}`] = accessor(part(weights), 'VEC4', 4, 5126, 34962)
+  }
+}
 function tube(x, skinned) {
   const positions = [], normals = [], joints = [], weights = [], indices = []
   for (let ring = 0; ring < RINGS; ring++) {
@@ -56,17 +73,20 @@ function tube(x, skinned) {
     }
   }
   const attributes = { POSITION: accessor(positions, 'VEC3', 3, 5126, 34962), NORMAL: accessor(normals, 'VEC3', 3, 5126, 34962) }
-  if (skinned) {
+  if (skinned === 4) {
     attributes.JOINTS_0 = accessor(joints, 'VEC4', 4, 5121, 34962)
     attributes.WEIGHTS_0 = accessor(weights, 'VEC4', 4, 5126, 34962)
   }
+  if (skinned === 8) eight(attributes)
   return { attributes, indices: accessor(indices, 'SCALAR', 1, 5123, 34963) }
 }
 const shifts = () => accessor([...Array(RINGS * 12)].map(() => any(-.3, .3)), 'VEC3', 3, 5126, 34962)
-const meshes = [{ primitives: [tube(0, true)] }, { primitives: [tube(0, false)] },
-  { primitives: [{ ...tube(0, false), targets: [{ POSITION: shifts(), NORMAL: shifts() }, { POSITION: shifts(), NORMAL: shifts() }] }], weights: [.25, -.5] }]
+const meshes = [{ primitives: [tube(0, 4)] }, { primitives: [tube(0, 0)] },
+  { primitives: [{ ...tube(0, 0), targets: [{ POSITION: shifts(), NORMAL: shifts() }, { POSITION: shifts(), NORMAL: shifts() }] }], weights: [.25, -.5] },
+  { primitives: [{ ...tube(0, 8), targets: [{ POSITION: shifts(), NORMAL: shifts() }, { POSITION: shifts(), NORMAL: shifts() }] }], weights: [.125, .5] }]
 
-// ---- nodes: 0 .. 3 the joints, scaled by 100 and back as exporters do, 4 what is skinned, 5 .. 6 the box, 7 morphs
+/* nodes: 0 .. 3 the joints, scaled by 100 and back as exporters do, 4 what is skinned, 5 .. 6 the box, 7 morphs,
+ * 8 .. 16 the joints of the second skin, a chain, 17 what follows it and morphs */
 
 const nodes = [
   { name: 'hip', translation: [-1.5, .1, .2], scale: [100, 100, 100], children: [1] },
@@ -77,9 +97,12 @@ const nodes = [
   { translation: [1, 0, 0], rotation: turn(2), children: [6] },
   { mesh: 1, scale: [.5, .7, .6] },
   { mesh: 2, translation: [2, .3, -.2] },
+  ...[...Array(9).keys()].map((k) => ({ translation: k === 0 ? [0, -.5, 2] : [0, .35, 0], ...(k < 8 ? { children: [9 + k] } : {}) })),
+  { mesh: 3, skin: 1 },
 ]
 const bind = [0, 1, 2, 3].flatMap((k) => [.01, 0, 0, 0, 0, .01, 0, 0, 0, 0, .01, 0, 0, -.01 * k, 0, 1])
-const skins = [{ joints: [0, 1, 2, 3], inverseBindMatrices: accessor(bind, 'MAT4', 16), skeleton: 0 }]
+const skins = [{ joints: [0, 1, 2, 3], inverseBindMatrices: accessor(bind, 'MAT4', 16), skeleton: 0 },
+  { joints: [...Array(9).keys()].map((k) => 8 + k), inverseBindMatrices: accessor([...Array(9).keys()].flatMap((k) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -.35 * k, 0, 1]), 'MAT4', 16) }]
 
 // ---- clips
 
@@ -108,9 +131,12 @@ function clip(name, n, length) {
   add(6, 'translation', 'LINEAR', () => [any(), any(), any()])
   add(6, 'scale', 'CUBICSPLINE', () => [any(.4, .6), any(.6, .8), any(.5, .7)])
   add(7, 'weights', 'LINEAR', () => [any(), any()])
+  for (let k = 8; k < 17; k += 2) add(k, 'rotation', 'LINEAR', () => turn(.5))
+  add(10, 'scale', 'LINEAR', () => [any(.7, 1.2), any(.7, 1.2), any(.7, 1.2)])
+  add(17, 'weights', 'LINEAR', () => [any(), any()])
   return { name, samplers, channels }
 }
 const animations = [clip('all', 6, 2.5), clip('one key', 1, 1), clip('none', 1, 0)]
 
 const buffers = [{ byteLength: bytes, uri: `data:application/octet-stream;base64,${Buffer.concat(parts).toString('base64')}` }]
-writeFileSync(path, JSON.stringify({ asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0, 4, 5, 7] }], nodes, meshes, skins, animations, accessors, bufferViews, buffers }))
+writeFileSync(path, JSON.stringify({ asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0, 4, 5, 7, 8, 17] }], nodes, meshes, skins, animations, accessors, bufferViews, buffers }))
