@@ -28,7 +28,7 @@
 #include <stdint.h>
 
 #define SCENE_FILE_MAGIC   0x53484850u /* "PHHS" */
-#define SCENE_FILE_VERSION 4u
+#define SCENE_FILE_VERSION 5u
 #define SCENE_FILE_MESHES  4096u /* at most */
 #define SCENE_FILE_NAME    40
 
@@ -104,11 +104,10 @@ struct scene_file_clip {
     uint32_t tracks; /* offset */
     uint32_t track_count;
     int32_t duration;
-    uint32_t time_shift;
 };
 
 struct scene_file_track {
-    uint32_t times, keys; /* offsets */
+    uint32_t times, keys; /* offsets; tracks may share their times */
     uint16_t node, key_count;
     uint8_t path, interpolation, width, frac;
 };

@@ -25,7 +25,7 @@ static bool is_track_right(const struct scene_file_head *head, const struct scen
     return t->path <= PH_PATH_WEIGHTS && t->interpolation <= PH_KEYS_CUBIC && t->frac >= 8 && t->frac <= 24 &&
            (t->path == PH_PATH_WEIGHTS ? (uint32_t)t->node + t->width <= motion->weight_count
                                        : t->node < motion->node_count && t->width == widths[t->path]) &&
-           scene_file_inside(head, t->times, t->key_count, sizeof(uint16_t)) &&
+           scene_file_inside(head, t->times, t->key_count, sizeof(fx_t)) &&
            scene_file_inside(head, t->keys, t->key_count * parts * t->width, sizeof(int16_t));
 }
 
@@ -33,7 +33,7 @@ static bool is_clip_right(const struct scene_file_head *head, const struct scene
                           const struct scene_file_clip *clip)
 {
     const struct scene_file_track *const tracks = scene_file_at(head, clip->tracks);
-    bool right = clip->name[SCENE_FILE_NAME - 1] == '\0' && clip->time_shift < 16 && clip->duration >= 0 &&
+    bool right = clip->name[SCENE_FILE_NAME - 1] == '\0' && clip->duration >= 0 &&
                  scene_file_inside(head, clip->tracks, clip->track_count, sizeof(*tracks));
     for (uint32_t i = 0; right && i < clip->track_count; i++) {
         right = is_track_right(head, motion, &tracks[i]);
@@ -118,7 +118,7 @@ static bool do_times_rise(const struct scene_file_head *head, const struct scene
 {
     const struct scene_file_track *const tracks = scene_file_at(head, clip->tracks);
     for (uint32_t i = 0; i < clip->track_count; i++) {
-        const uint16_t *const times = scene_file_at(head, tracks[i].times);
+        const fx_t *const times = scene_file_at(head, tracks[i].times);
         for (uint32_t k = 1; k < tracks[i].key_count; k++) {
             if (times[k] < times[k - 1]) {
                 return false;
@@ -209,7 +209,7 @@ bool scene_motion_clip(const struct scene_file_head *head, uint32_t i, struct de
                                   scene_file_at(head, t->times),
                                   scene_file_at(head, t->keys)};
     }
-    *clip = (struct ph_clip){from->name, to, from->track_count, from->duration, (uint8_t)from->time_shift};
+    *clip = (struct ph_clip){from->name, to, from->track_count, from->duration};
     return to != NULL;
 }
 
@@ -239,7 +239,7 @@ struct tables {
     struct ph_clip clip;
 };
 
-#define TABLES_BYTES_32 104
+#define TABLES_BYTES_32 100
 #define MESH_BYTES_32   64
 #define TRACK_BYTES_32  16
 _Static_assert(sizeof(void *) > 4 || sizeof(struct tables) == TABLES_BYTES_32, "TABLES_BYTES_32 is wrong");

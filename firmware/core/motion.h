@@ -75,7 +75,7 @@ struct ph_track {
     uint8_t width;
     uint8_t frac; /* 8 .. 24; of a rotation it says nothing */
     uint16_t key_count;
-    const uint16_t *times; /* they rise; a time is times[i] << time_shift of the clip */
+    const fx_t *times; /* seconds, Q16.16; they rise */
     const int16_t *keys;
 };
 
@@ -83,8 +83,7 @@ struct ph_clip {
     const char *name;
     const struct ph_track *tracks;
     uint32_t track_count;
-    fx_t duration;      /* seconds, Q16.16 */
-    uint8_t time_shift; /* 0 .. 15 */
+    fx_t duration; /* seconds, Q16.16 */
 };
 
 /* The time in a clip that repeats: 0 .. duration; 0 for a clip of no length. */

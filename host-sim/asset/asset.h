@@ -84,6 +84,9 @@ uint32_t asset_first_blend(const struct model *model, uint32_t mesh);
 /* Returns the first mesh that moves with the same skin as number i of them. */
 uint32_t asset_first_skin(const struct animation *animation, uint32_t i);
 
+/* Returns the first track of a clip that shares its times with number i of them. */
+uint32_t asset_first_times(const struct ph_clip *clip, uint32_t i);
+
 /* How many numbers a track's keys have. */
 size_t asset_key_numbers(const struct ph_track *track);
 

@@ -6,7 +6,7 @@
 /* Bytes of the tables, on a 32-bit target. */
 #define ANIMATION_BYTES      84
 #define ANIMATION_MESH_BYTES 64
-#define CLIP_BYTES           20
+#define CLIP_BYTES           16
 #define TRACK_BYTES          16
 
 #define ROUND4(n) (((n) + 3) & ~(uint64_t)3)
@@ -99,6 +99,16 @@ uint32_t asset_first_skin(const struct animation *a, uint32_t i)
     return first;
 }
 
+uint32_t asset_first_times(const struct ph_clip *clip, uint32_t i)
+{
+    uint32_t first = 0;
+    while (clip->tracks[first].times != clip->tracks[i].times ||
+           clip->tracks[first].key_count != clip->tracks[i].key_count) {
+        first++;
+    }
+    return first;
+}
+
 size_t asset_key_numbers(const struct ph_track *track)
 {
     return (size_t)track->key_count * track->width * (track->interpolation == PH_KEYS_CUBIC ? 3 : 1);
@@ -122,7 +132,8 @@ uint64_t asset_motion_bytes(const struct model *model)
         bytes += CLIP_BYTES + ROUND4(strlen(m->clips[i].name) + 1);
         for (uint32_t k = 0; k < m->clips[i].track_count; k++) {
             const struct ph_track *t = &m->clips[i].tracks[k];
-            bytes += TRACK_BYTES + ROUND4(2 * (uint64_t)t->key_count) + ROUND4(2 * asset_key_numbers(t));
+            bytes += TRACK_BYTES + ROUND4(2 * asset_key_numbers(t)) +
+                     (asset_first_times(&m->clips[i], k) == k ? t->key_count * sizeof *t->times : 0);
         }
     }
     return bytes;

@@ -54,14 +54,15 @@ static const uint8_t blends[] = {
     [PH_BLEND_TIMES] = SCENE_FILE_TIMES,
 };
 
-/* Tracks of a clip; returns where. */
+/* Tracks of a clip; returns where. Times that several tracks share are written once. */
 static uint32_t write_tracks(struct writer *to, const struct ph_clip *clip)
 {
     struct scene_file_track *tracks = calloc(clip->track_count + 1, sizeof *tracks);
     uint32_t offset = 0;
     for (uint32_t i = 0; tracks != NULL && i < clip->track_count; i++) {
         const struct ph_track *t = &clip->tracks[i];
-        const uint32_t times = append(to, t->times, t->key_count * sizeof *t->times);
+        const uint32_t same = asset_first_times(clip, i),
+                       times = same < i ? tracks[same].times : append(to, t->times, t->key_count * sizeof *t->times);
         tracks[i] = (struct scene_file_track){.times = times,
                                               .keys = append(to, t->keys, asset_key_numbers(t) * sizeof *t->keys),
                                               .node = t->node,
@@ -95,10 +96,8 @@ static uint32_t write_motion(struct writer *to, const struct model_motion *motio
     }
     for (uint32_t i = 0; i < motion->clip_count; i++) {
         const struct ph_clip *from = &motion->clips[i];
-        struct scene_file_clip clip = {.tracks = write_tracks(to, from),
-                                       .track_count = from->track_count,
-                                       .duration = from->duration,
-                                       .time_shift = from->time_shift};
+        struct scene_file_clip clip = {
+            .tracks = write_tracks(to, from), .track_count = from->track_count, .duration = from->duration};
         snprintf(clip.name, sizeof clip.name, "%.*s", (int)sizeof clip.name - 1, from->name);
         m.playing = from == a->clip ? i : m.playing;
         if (to->bytes != NULL) {

@@ -18,12 +18,20 @@ static void put_rows(FILE *file, const char *type, const char *name, uint32_t nu
     fputs("\n};\n", file);
 }
 
-static void put_unsigned(FILE *file, const char *name, uint32_t clip, uint32_t number, const uint16_t *values,
-                         uint32_t count)
+static void put_joints(FILE *file, uint32_t number, const struct ph_skin *skin)
 {
-    fprintf(file, "\nstatic const uint16_t %s_%u_%u[] = {", name, (unsigned)clip, (unsigned)number);
-    for (uint32_t i = 0; i < count; i++) {
-        fprintf(file, "%s%u,", i % 16 == 0 ? "\n    " : " ", values[i]);
+    fprintf(file, "\nstatic const uint16_t joints_%u[] = {", (unsigned)number);
+    for (uint32_t i = 0; i < skin->joint_count; i++) {
+        fprintf(file, "%s%u,", i % 16 == 0 ? "\n    " : " ", skin->nodes[i]);
+    }
+    fputs("\n};\n", file);
+}
+
+static void put_times(FILE *file, uint32_t clip, uint32_t number, const struct ph_track *track)
+{
+    fprintf(file, "\nstatic const fx_t times_%u_%u[] = {", (unsigned)clip, (unsigned)number);
+    for (uint32_t i = 0; i < track->key_count; i++) {
+        fprintf(file, "%s%" PRId32 ",", i % 12 == 0 ? "\n    " : " ", track->times[i]);
     }
     fputs("\n};\n", file);
 }
@@ -62,7 +70,7 @@ static void put_rig(FILE *file, const struct animation *a)
 
 static void put_skin(FILE *file, const struct ph_skin *skin, uint32_t i)
 {
-    put_unsigned(file, "joints", 0, i, skin->nodes, skin->joint_count);
+    put_joints(file, i, skin);
     fprintf(file, "\nstatic const struct ph_xform binds_%u[] = {\n", (unsigned)i);
     for (uint32_t k = 0; k < skin->joint_count; k++) {
         fputs("    ", file);
@@ -117,7 +125,7 @@ static void put_moving(FILE *file, const struct animation *a)
             fprintf(file, ".influences = influences_%u, ", n);
         }
         fputs(m->bound.scales_axes ? ".scales_axes = true, " : "", file);
-        fprintf(file, ".vertex_count = %u, .frac = %u},\n     .skin = {joints_0_%u, binds_%u, %u}",
+        fprintf(file, ".vertex_count = %u, .frac = %u},\n     .skin = {joints_%u, binds_%u, %u}",
                 (unsigned)m->bound.vertex_count, m->bound.frac, skin, skin, (unsigned)m->skin.joint_count);
         if (m->morph.target_count > 0) {
             fprintf(file,
@@ -139,7 +147,9 @@ static void put_clip_data(FILE *file, const struct ph_clip *clip, uint32_t c)
     for (uint32_t i = 0; i < clip->track_count; i++) {
         char name[24];
         const struct ph_track *t = &clip->tracks[i];
-        put_unsigned(file, "times", c, i, t->times, t->key_count);
+        if (asset_first_times(clip, i) == i) {
+            put_times(file, c, i, t);
+        }
         snprintf(name, sizeof name, "keys_%u", (unsigned)c);
         put_rows(file, "int16_t", name, i, t->keys, asset_key_numbers(t), 1);
     }
@@ -147,7 +157,8 @@ static void put_clip_data(FILE *file, const struct ph_clip *clip, uint32_t c)
     for (uint32_t i = 0; i < clip->track_count; i++) {
         const struct ph_track *t = &clip->tracks[i];
         fprintf(file, "    {%u, %u, %u, %u, %u, %u, times_%u_%u, keys_%u_%u},\n", t->node, t->path, t->interpolation,
-                t->width, t->frac, t->key_count, (unsigned)c, (unsigned)i, (unsigned)c, (unsigned)i);
+                t->width, t->frac, t->key_count, (unsigned)c, (unsigned)asset_first_times(clip, i), (unsigned)c,
+                (unsigned)i);
     }
     fputs(clip->track_count > 0 ? "};\n" : "    {0}};\n", file);
 }
@@ -172,8 +183,7 @@ static void put_clips(FILE *file, const struct model_motion *m)
         const struct ph_clip *clip = &m->clips[i];
         fputs("    {\"", file);
         put_name(file, clip->name);
-        fprintf(file, "\", tracks_%u, %u, %" PRId32 ", %u},\n", (unsigned)i, (unsigned)clip->track_count,
-                clip->duration, clip->time_shift);
+        fprintf(file, "\", tracks_%u, %u, %" PRId32 "},\n", (unsigned)i, (unsigned)clip->track_count, clip->duration);
     }
     fputs("};\n", file);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define PI 3.14159265358979323846
 
@@ -55,11 +56,31 @@ static void compare(const struct model_track *c, const int16_t *keys, int frac, 
     }
 }
 
-/* Numbers as 16 bits with as many bits of fraction as they have room for. */
-static bool pack(struct model_shared *shared, const struct model_track *c, uint8_t time_shift, struct ph_track *to)
+/* Times of keys, which are those of an earlier track of the clip where these are the same. NULL: no memory. */
+static const fx_t *pack_times(struct model_shared *shared, const struct model_track *c, const struct ph_clip *clip)
+{
+    const size_t used = shared->arena.used, bytes = sizeof(fx_t) * c->keys;
+    fx_t *times = demo_alloc(&shared->arena, bytes);
+    for (uint32_t k = 0; times != NULL && k < c->keys; k++) {
+        times[k] = (fx_t)fmin(clip->duration, fmax(0, rint((double)c->times[k] * FX_ONE)));
+        model_rig_note(&shared->model.motion->rounding.time, (double)c->times[k] - ldexp(times[k], -16));
+    }
+    for (uint32_t i = 0; times != NULL && i < clip->track_count; i++) {
+        const struct ph_track *other = &clip->tracks[i];
+        if (other->key_count == c->keys && memcmp(other->times, times, bytes) == 0) {
+            shared->arena.used = used;
+            return other->times;
+        }
+    }
+    return times;
+}
+
+/* Numbers as 16 bits with as many bits of fraction as they have room for, in the next track of a clip. */
+static bool pack(struct model_shared *shared, const struct model_track *c, const struct ph_clip *clip,
+                 struct ph_track *to)
 {
     const size_t n = (size_t)c->keys * c->width * (c->interpolation == PH_KEYS_CUBIC ? 3 : 1);
-    uint16_t *times = demo_alloc(&shared->arena, sizeof *times * c->keys);
+    const fx_t *times = pack_times(shared, c, clip);
     int16_t *keys = demo_alloc(&shared->arena, sizeof *keys * n);
     double most = 0;
     int frac = 24;
@@ -77,10 +98,6 @@ static bool pack(struct model_shared *shared, const struct model_track *c, uint8
                                                                               : ldexp((double)c->numbers[i], frac),
                                                   32767));
     }
-    for (uint32_t k = 0; k < c->keys; k++) {
-        times[k] = (uint16_t)fmin(65535, fmax(0, rint((double)c->times[k] * 65536 / (1 << time_shift))));
-        model_rig_note(&shared->model.motion->rounding.time, (double)c->times[k] - ldexp(times[k], time_shift - 16));
-    }
     *to = (struct ph_track){.path = c->path,
                             .interpolation = c->interpolation,
                             .key_count = (uint16_t)c->keys,
@@ -92,9 +109,9 @@ static bool pack(struct model_shared *shared, const struct model_track *c, uint8
     return true;
 }
 
-/* Makes a track, in the model's units. */
+/* Makes the next track of a clip, in the model's units. */
 static bool make_track(struct model_shared *shared, const struct model_track *from, const struct model_fit *fit,
-                       uint8_t time_shift, struct ph_track *to)
+                       const struct ph_clip *clip, struct ph_track *to)
 {
     static const char *const names[] = {"translation in radii of the model", "rotation", "scale beside the largest",
                                         "weight"};
@@ -120,7 +137,7 @@ static bool make_track(struct model_shared *shared, const struct model_track *fr
                                    "possible",
                                    names[from->path], most, from->node, MODEL_RIG_MOST);
     }
-    if (!pack(shared, from, time_shift, to)) {
+    if (!pack(shared, from, clip, to)) {
         return model_shared_failed(shared, "needs too much memory");
     }
     to->node = (uint16_t)(from->path == PH_PATH_WEIGHTS ? node->first_weight : node->number);
@@ -149,14 +166,14 @@ static bool make_clip(struct model_shared *shared, const struct model_clip *from
     }
     end = fmin(end, 32767);
     clip->duration = (fx_t)lround(end * 65536);
-    while (clip->duration >> clip->time_shift > UINT16_MAX) {
-        clip->time_shift++;
-    }
     for (uint32_t i = 0; i < from->count; i++) {
-        if (shared->rig->nodes[from->tracks[i].node].number != MODEL_NONE &&
-            !make_track(shared, &from->tracks[i], fit, clip->time_shift, &tracks[clip->track_count++])) {
+        if (shared->rig->nodes[from->tracks[i].node].number == MODEL_NONE) {
+            continue;
+        }
+        if (!make_track(shared, &from->tracks[i], fit, clip, &tracks[clip->track_count])) {
             return false;
         }
+        clip->track_count++;
     }
     return true;
 }

@@ -61,7 +61,7 @@ static struct scene_file_texture put_texture(void)
 
 static void put_track(uint8_t path, uint8_t interpolation, uint8_t width, struct scene_file_track *track)
 {
-    static const uint16_t times[3] = {0, 100, 4000};
+    static const fx_t times[3] = {0, 1600, 64000};
     int16_t keys[3 * 3 * 4];
     for (uint32_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         keys[i] = (int16_t)(i * 1000);
@@ -83,9 +83,8 @@ static uint32_t put_clips(void)
     put_track(PH_PATH_SCALE, PH_KEYS_STEP, 3, &tracks[2]);
     put_track(PH_PATH_WEIGHTS, PH_KEYS_LINEAR, 2, &tracks[3]);
     const uint32_t all = put(tracks, sizeof tracks);
-    const struct scene_file_clip clips[2] = {
-        {.name = "run", .tracks = all, .track_count = 4, .duration = FX_ONE, .time_shift = 4},
-        {.name = "stand", .tracks = all, .track_count = 1, .duration = 0}};
+    const struct scene_file_clip clips[2] = {{.name = "run", .tracks = all, .track_count = 4, .duration = FX_ONE},
+                                             {.name = "stand", .tracks = all, .track_count = 1, .duration = 0}};
     return put(clips, sizeof clips);
 }
 

@@ -23,7 +23,7 @@
 static const struct ph_rig_node nodes[] = {
     {-1, {{FX_Q30_ONE, 0, 0, 0}, {ONE_Q24, 0, 0}, {ONE_Q24, ONE_Q24, ONE_Q24}}},
     {0, {{FX_Q30_ONE, 0, 0, 0}, {0, 2 * ONE_Q24, 0}, {ONE_Q24, ONE_Q24, ONE_Q24}}}};
-static const uint16_t times[] = {0, 16384, 32768};
+static const fx_t times[] = {0, FX_ONE, 2 * FX_ONE};
 static const int16_t keys[][3] = {{0, 8192, 0}, {0, 8192, 12288}, {0, 8192, 4096}};
 static const struct ph_track track = {.node = 1,
                                       .path = PH_PATH_TRANSLATION,
@@ -33,7 +33,7 @@ static const struct ph_track track = {.node = 1,
                                       .key_count = 3,
                                       .times = times,
                                       .keys = keys[0]};
-static const struct ph_clip clip = {.tracks = &track, .track_count = 1, .duration = 2 * FX_ONE, .time_shift = 2};
+static const struct ph_clip clip = {.tracks = &track, .track_count = 1, .duration = 2 * FX_ONE};
 
 static const int16_t places[4][3] = {{4096, 0, -8192}, {2048, 6144, 1024}};
 static const int16_t upright[4][3] = {{0, 0, 16384}, {16384, 0, 0}};
@@ -261,7 +261,7 @@ static void without_a_clip_it_rests(void **state)
 static void a_clip_of_no_length_stands(void **state)
 {
     (void)state;
-    const struct ph_clip moment = {.tracks = &track, .track_count = 1, .duration = 0, .time_shift = 2};
+    const struct ph_clip moment = {.tracks = &track, .track_count = 1, .duration = 0};
     struct animation still = scene;
     still.clip = &moment;
     const struct animation_stage *const s = begin(&still);

@@ -451,11 +451,11 @@ static void matrices(const int32_t *a)
 
 /* ---- motion.h ---------------------------------------------------------------------------------------------------- */
 
-/* Times rise, frac and time_shift are in their ranges; all else is any. */
+/* frac is in its range; all else is any, times that fall as well. */
 static void clips(const int32_t *a)
 {
     static const uint8_t widths[] = {3, 4, 3, 2};
-    const uint16_t times[3] = {(uint16_t)(half(a[0]) & 0x3fff), 0x4000, (uint16_t)half(a[0]) | 0x8000};
+    const fx_t times[3] = {a[2], a[3], a[0]};
     int16_t keys[3 * 3 * 4];
     for (int i = 0; i < 36; i++) {
         keys[i] = half(a[2 + i % 6]);
@@ -469,7 +469,7 @@ static void clips(const int32_t *a)
                                    (uint16_t)((uint32_t)a[11] % 4),
                                    times,
                                    keys};
-    const struct ph_clip clip = {"", &track, 1, a[1], a[9] >> 8 & 15};
+    const struct ph_clip clip = {"", &track, 1, a[1]};
     struct ph_pose pose = {{FX_Q30_ONE, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
     int32_t weights[2] = {0, 0};
     ph_clip_sample(&clip, a[0], &pose, weights);

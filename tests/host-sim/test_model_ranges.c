@@ -26,7 +26,7 @@ static const float corners[8][3] = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 
 static const uint16_t faces[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
                                    2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
 
-/* A clip of two keys, at 0 and 1 s, in up to two channels. */
+/* A clip of two keys, at 0 and 1 s or at `times`, in up to two channels. */
 struct file {
     const char *nodes, *scene; /* JSON */
     struct {
@@ -35,6 +35,7 @@ struct file {
         float from[4], to[4];
     } channels[2];
     float target[3]; /* what morph target 0 adds to all corners above the middle; 0: there is none */
+    float times[2];  /* 0, 0: 0 and 1 s */
 };
 
 static const char *type_of(int width)
@@ -52,6 +53,9 @@ static const char *write_file(const struct file *f)
     } data = {.times = {0, 1}};
     static char text[8192];
     char *base64, *at = text;
+    if (f->times[1] > 0) {
+        memcpy(data.times, f->times, sizeof data.times);
+    }
     memcpy(data.positions, corners, sizeof corners);
     memcpy(data.indices, faces, sizeof faces);
     for (int i = 0; i < 24; i++) {
@@ -179,8 +183,11 @@ static void plays(const struct file *file, truth right, int cubes, uint32_t movi
     const struct animation_stage *stage = animation_begin(&arena, a, model->meshes, model->mesh_count);
     assert_non_null(stage);
     assert_int_equal(a->mesh_count, moving);
-    for (uint32_t frame = 0; frame < FRAMES; frame++) {
-        const struct cloud cloud = true_cloud(model, right, cubes, frame / (double)FRAMES);
+    const double begin = (double)file->times[0], end = file->times[1] > 0 ? (double)file->times[1] : 1;
+    const uint32_t first = (uint32_t)(begin * FRAMES);
+    for (uint32_t frame = first; frame < first + FRAMES; frame++) {
+        const double time = fmod(frame / (double)FRAMES, end);
+        const struct cloud cloud = true_cloud(model, right, cubes, fmax(0, (time - begin) / (end - begin)));
         animation_move(stage, NULL, frame);
         expect_cloud(stage->meshes, model->mesh_count, &cloud, a);
         for (uint32_t i = 0; i < model->mesh_count; i++) {
@@ -205,6 +212,7 @@ static void what_has_no_size_at_rest_grows(void **state)
     plays(&(struct file){"[{\"mesh\":0,\"scale\":[0,0,0]},{\"mesh\":0,\"translation\":[3,0,0]}]",
                          "[0,1]",
                          {{"scale", 0, 3, {0, 0, 0}, {1, 1, 1}}},
+                         {0},
                          {0}},
           grown, 2, 1);
 }
@@ -223,6 +231,7 @@ static void a_floor_stands_still_beside_what_moves(void **state)
                          "{\"mesh\":0,\"scale\":[0.5,0.5,0.5]}]",
                          "[0,1]",
                          {{"translation", 1, 3, {0, 0, 0}, {2, 0, 0}}},
+                         {0},
                          {0}},
           beside_a_floor, 2, 1);
 }
@@ -242,6 +251,7 @@ static void a_thin_floor_moves(void **state)
     plays(&(struct file){"[{\"mesh\":0,\"scale\":[3,0.05,3],\"translation\":[50,0,0]}]",
                          "[0]",
                          {{"translation", 0, 3, {0, 0, 0}, {0, 10, 0}}},
+                         {0},
                          {0}},
           on_a_lift, 1, 1);
 }
@@ -264,6 +274,7 @@ static void what_turns_in_what_is_stretched_is_sheared(void **state)
                          "[0]",
                          {{"scale", 0, 3, {1, .125f, 1}, {1, 3, 1}},
                           {"rotation", 1, 4, {0, 0, 0, 1}, {0, 0, .8660254f, .5f}}},
+                         {0},
                          {0}},
           stretched, 1, 1);
 }
@@ -283,6 +294,7 @@ static void scales_above_one_another_may_be_far_apart(void **state)
     plays(&(struct file){"[{\"children\":[1]},{\"mesh\":0,\"translation\":[4,0,0]}]",
                          "[0]",
                          {{"scale", 0, 3, {.01f, .01f, .01f}, {1, 1, 1}}, {"scale", 1, 3, {100, 100, 100}, {1, 1, 1}}},
+                         {0},
                          {0}},
           exchanged, 1, 1);
 }
@@ -298,8 +310,26 @@ static void morphed(int cube, const double c[3], double t, double p[3])
 static void a_target_may_be_larger_than_the_mesh(void **state)
 {
     (void)state;
-    plays(&(struct file){"[{\"mesh\":0}]", "[0]", {{"weights", 0, 1, {0}, {1}}}, {0, 40, 0}}, morphed, 1, 1);
-    plays(&(struct file){"[{\"mesh\":0}]", "[0]", {{"weights", 0, 1, {0}, {50}}}, {0, .8f, 0}}, morphed, 1, 1);
+    plays(&(struct file){"[{\"mesh\":0}]", "[0]", {{"weights", 0, 1, {0}, {1}}}, {0, 40, 0}, {0}}, morphed, 1, 1);
+    plays(&(struct file){"[{\"mesh\":0}]", "[0]", {{"weights", 0, 1, {0}, {50}}}, {0, .8f, 0}, {0}}, morphed, 1, 1);
+}
+
+static void dashes(int cube, const double c[3], double t, double p[3])
+{
+    (void)cube;
+    for (int k = 0; k < 3; k++) {
+        p[k] = c[k] + (k == 0) * 40 * t;
+    }
+}
+
+/* Four radii a second for half a second, at the end of a minute. */
+static void a_long_clip_keeps_its_time(void **state)
+{
+    (void)state;
+    plays(
+        &(struct file){
+            "[{\"mesh\":0}]", "[0]", {{"translation", 0, 3, {0, 0, 0}, {40, 0, 0}}}, {0}, {59.00048f, 59.49951f}},
+        dashes, 1, 1);
 }
 
 static void far_away(int cube, const double c[3], double t, double p[3])
@@ -315,7 +345,7 @@ static void a_model_may_lie_far_from_the_origin(void **state)
     (void)state;
     plays(
         &(struct file){
-            "[{\"mesh\":0}]", "[0]", {{"translation", 0, 3, {16384, 16384, 16384}, {16384, 16384, 16386}}}, {0}},
+            "[{\"mesh\":0}]", "[0]", {{"translation", 0, 3, {16384, 16384, 16384}, {16384, 16384, 16386}}}, {0}, {0}},
         far_away, 1, 1);
 }
 
@@ -324,6 +354,7 @@ static void a_number_that_has_no_room_is_named(void **state)
     const struct file file = {"[{\"children\":[1]},{\"mesh\":0,\"translation\":[-1000,0,0]}]",
                               "[0]",
                               {{"translation", 0, 3, {1000, 0, 0}, {1001, 0, 0}}},
+                              {0},
                               {0}};
     struct model *model = NULL;
     char said[1024];
@@ -341,6 +372,7 @@ int main(void)
         cmocka_unit_test(what_turns_in_what_is_stretched_is_sheared),
         cmocka_unit_test(scales_above_one_another_may_be_far_apart),
         cmocka_unit_test(a_target_may_be_larger_than_the_mesh),
+        cmocka_unit_test(a_long_clip_keeps_its_time),
         cmocka_unit_test(a_model_may_lie_far_from_the_origin),
         cmocka_unit_test(a_number_that_has_no_room_is_named),
     };

@@ -31,7 +31,7 @@ static struct made {
     struct ph_xform binds[MADE_MOVING][3];
     struct ph_clip clips[MADE_CLIPS];
     struct ph_track tracks[4];
-    uint16_t times[4][7];
+    fx_t times[3][7];
     int16_t keys[4][24];
 } made;
 
@@ -178,16 +178,18 @@ static void make_clips(void)
          .key_count = 2},
         {.node = 0, .path = PH_PATH_ROTATION, .interpolation = PH_KEYS_CUBIC, .width = 4, .frac = 14, .key_count = 2},
         {.node = 1, .path = PH_PATH_WEIGHTS, .interpolation = PH_KEYS_LINEAR, .width = 2, .frac = 10, .key_count = 7}};
+    for (uint32_t i = 0; i < 21; i++) {
+        made.times[i / 7][i % 7] = (fx_t)(100000 * (i / 7) + 7 * (i % 7));
+    }
     for (uint32_t i = 0; i < 4; i++) {
         made.tracks[i] = tracks[i];
-        count_up(made.times[i], 7, (uint16_t)(10 * i));
         count_up(made.keys[i], 24, (uint16_t)(1000 * i + 65000));
-        made.tracks[i].times = made.times[i];
+        made.tracks[i].times = made.times[i < 2 ? i : i - 1]; /* two share theirs */
         made.tracks[i].keys = made.keys[i];
     }
     made.clips[0] = (struct ph_clip){.name = "stand", .tracks = made.tracks, .track_count = 1, .duration = 32768};
-    made.clips[1] = (struct ph_clip){
-        .name = "walk \"2/3\"", .tracks = made.tracks + 1, .track_count = 3, .duration = 3 << 16, .time_shift = 4};
+    made.clips[1] =
+        (struct ph_clip){.name = "walk \"2/3\"", .tracks = made.tracks + 1, .track_count = 3, .duration = 3 << 16};
 }
 
 static void make_motion(void)

@@ -144,7 +144,7 @@ static const struct swing swings[2][FIGURE_SWINGS] = {
 static const int16_t flight[FIGURE_MOMENTS + 1][3] = {{0, HIPS_Y, 0},          {0, HIPS_Y, 0},          {0, HIPS_Y, 0},
                                                       {0, HIPS_Y + FLIGHT, 0}, {0, HIPS_Y, 0},          {0, HIPS_Y, 0},
                                                       {0, HIPS_Y, 0},          {0, HIPS_Y + FLIGHT, 0}, {0, HIPS_Y, 0}};
-static const uint16_t moments[FIGURE_MOMENTS + 1] = {0, 4096, 8192, 12288, 16384, 20480, 24576, 28672, 32768};
+static const fx_t moments[FIGURE_MOMENTS + 1] = {0, 8192, 16384, 24576, 32768, 40960, 49152, 57344, 65536};
 
 static void set_value(const struct swing *swing, uint32_t moment, int16_t to[4])
 {
@@ -202,7 +202,7 @@ void figure_make_gait(struct figure_gait *gait, uint32_t which)
                                                   .times = moments,
                                                   .keys = flight[0]};
     }
-    gait->clip = (struct ph_clip){which ? "run" : "walk", gait->tracks, count, FX_ONE, 1};
+    gait->clip = (struct ph_clip){which ? "run" : "walk", gait->tracks, count, FX_ONE};
 }
 
 /* ---- the tubes --------------------------------------------------------------------------------------------------- */

@@ -54,13 +54,13 @@ struct moment {
     fx_t share;
 };
 
-PH_TIER(seldom) static struct moment find_key(const struct ph_clip *clip, const struct ph_track *track, fx_t time)
+PH_TIER(seldom) static struct moment find_key(const struct ph_track *track, fx_t time)
 {
-    const fx_t at = fx_max(time, 0), tick = at >> clip->time_shift;
+    const fx_t at = fx_max(time, 0);
     uint32_t low = 0, high = track->key_count; /* the first key behind the time is in low .. high */
     while (low < high) {
         const uint32_t middle = (low + high) / 2;
-        if (track->times[middle] <= tick) {
+        if (track->times[middle] <= at) {
             low = middle + 1;
         } else {
             high = middle;
@@ -69,7 +69,7 @@ PH_TIER(seldom) static struct moment find_key(const struct ph_clip *clip, const 
     if (low == 0 || low == track->key_count) {
         return (struct moment){low == 0 ? 0 : low - 1, 0};
     }
-    const fx_t from = track->times[low - 1] << clip->time_shift, to = track->times[low] << clip->time_shift;
+    const fx_t from = fx_max(track->times[low - 1], 0), to = track->times[low];
     return (struct moment){low - 1, track->interpolation == PH_KEYS_STEP ? 0 : fx_div_sat(at - from, to - from)};
 }
 
@@ -127,7 +127,7 @@ PH_TIER(seldom) void ph_clip_sample(const struct ph_clip *clip, fx_t time, struc
         if (track->key_count == 0) {
             continue;
         }
-        const struct moment m = find_key(clip, track, time);
+        const struct moment m = find_key(track, time);
         switch (track->path) {
         case PH_PATH_TRANSLATION:
             pose[track->node].t = vector_at(track, m);

@@ -10,7 +10,7 @@ static int draw(struct ph_renderer *r, uint32_t frame)
 {
     static struct shape cube;
     static uint16_t ramp[PH_RAMP_SIZE];
-    static const uint16_t times[] = {0, 1, 2}; /* seconds: each is times[i] << time_shift, Q16.16 */
+    static const fx_t times[] = {0, FX_INT(1), FX_INT(2)}; /* seconds */
     static const int16_t bends[][4] = {{0, 0, 12000, 30000}, {0, 0, -12000, 30000}, {0, 0, 12000, 30000}};
     static const struct fx_quat upright = {FX_Q30_ONE, 0, 0, 0};
     struct ph_track tracks[JOINTS];
@@ -29,7 +29,7 @@ static int draw(struct ph_renderer *r, uint32_t frame)
                                       .keys = &bends[0][0]};
     }
     const struct ph_rig rig = {nodes, JOINTS};
-    const struct ph_clip clip = {"wave", tracks, JOINTS, FX_INT(2), 15};
+    const struct ph_clip clip = {"wave", tracks, JOINTS, FX_INT(2)};
     struct ph_pose pose[JOINTS];
     struct ph_xform places[JOINTS];
     ph_rig_rest(&rig, pose);

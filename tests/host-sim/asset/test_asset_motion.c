@@ -42,6 +42,21 @@ static void equal_skins_are_found_by_what_they_hold(void **state)
     assert_int_equal(asset_first_skin(a, 2), 2);
 }
 
+/* Tracks of as many keys at the same place share it; a track without keys may lie where another begins. */
+static void times_are_shared_by_tracks_that_name_them(void **state)
+{
+    static const fx_t times[4] = {0, 1, 2, 3};
+    struct ph_track tracks[4] = {{.times = times, .key_count = 2},
+                                 {.times = times + 1, .key_count = 2},
+                                 {.times = times, .key_count = 3},
+                                 {.times = times, .key_count = 2}};
+    const struct ph_clip clip = {.tracks = tracks, .track_count = 4};
+    (void)state;
+    for (uint32_t i = 0; i < 4; i++) {
+        assert_int_equal(asset_first_times(&clip, i), i < 3 ? i : 0);
+    }
+}
+
 static void a_cubic_key_has_two_tangents(void **state)
 {
     (void)state;
@@ -52,13 +67,13 @@ static void a_cubic_key_has_two_tangents(void **state)
     assert_int_equal(asset_key_numbers(&clips[1].tracks[2]), 14);
 }
 
-/* Sizes of pointers and numbers of 4 bytes, rounded up to 4. */
+/* Sizes of pointers and numbers of 4 bytes, rounded up to 4; two tracks share their times. */
 static void flash_is_counted_table_by_table(void **state)
 {
     (void)state;
     const uint64_t rig = 21 * 4 + 3 * 44 + 4 * (1 + MADE_WEIGHTS), meshes = MADE_MOVING * 16 * 4,
                    skins = (8 + 3 * 48) + (4 + 48), vertices = 3 * 12 + 5 * (2 * 2 * 6) + 3 * 6,
-                   stand = 20 + 8 + (16 + 4 + 8), walk = 20 + 12 + (16 + 4 + 12) + (16 + 4 + 48) + (16 + 16 + 28);
+                   stand = 16 + 8 + (16 + 4 + 8), walk = 16 + 12 + (16 + 8 + 12) + (16 + 48) + (16 + 28 + 28);
     assert_int_equal(asset_motion_bytes(&made_asset(true)->model), rig + meshes + skins + vertices + stand + walk);
     assert_int_equal(asset_motion_bytes(&made_asset(false)->model), 0);
 }
@@ -181,6 +196,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(equal_skins_are_found_by_what_they_hold),
+        cmocka_unit_test(times_are_shared_by_tracks_that_name_them),
         cmocka_unit_test(a_cubic_key_has_two_tangents),
         cmocka_unit_test(flash_is_counted_table_by_table),
         cmocka_unit_test(a_model_that_stands_needs_no_room),

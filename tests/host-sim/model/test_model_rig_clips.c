@@ -146,21 +146,18 @@ static void tangents_are_multiplied_by_the_time_between_keys(void **state)
     }
 }
 
-/* 2^16 steps of 2^(shift - 16) s cover the clip; a clip of 1 s has one too many for the finest. */
-static void times_are_as_fine_as_the_clip_lets_them(void **state)
+static void times_count_steps_of_16_bits_of_a_second(void **state)
 {
     static const struct {
         float times[3];
-        int shift;
         uint32_t duration;
         int steps[3];
         double error;
-    } cases[] = {{{0, .25f, .5f}, 0, 32768, {0, 16384, 32768}, 0},
-                 {{0, .5f, 1}, 1, 65536, {0, 16384, 32768}, 0},
-                 {{0, 1 / 65536.f, 1}, 1, 65536, {0, 0, 32768}, 1 / 65536.},
-                 {{-1, 3 / 65536.f, 3}, 2, 196608, {0, 1, 49152}, 1},
-                 {{0, 4 / 65536.f, 4 - 1 / 16384.f}, 2, 262140, {0, 1, 65535}, 0},
-                 {{0, 4, 40000}, 15, 2147418112, {0, 8, 65535}, 40000 - 32767.5}};
+    } cases[] = {{{0, .25f, .5f}, 32768, {0, 16384, 32768}, 0},
+                 {{0, 1 / 65536.f, 1}, 65536, {0, 1, 65536}, 0},
+                 {{-1, 3 / 65536.f, 3}, 196608, {0, 3, 196608}, 1},
+                 {{0, 5 / 262144.f, 1000}, 65536000, {0, 1, 65536000}, 1 / 262144.},
+                 {{0, 4, 40000}, 2147418112, {0, 262144, 2147418112}, 40000 - 32767}};
     static const float numbers[3] = {1, 2, 3};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -168,7 +165,6 @@ static void times_are_as_fine_as_the_clip_lets_them(void **state)
         memcpy(times, cases[i].times, sizeof times);
         const struct ph_track *t =
             make_one((struct model_track){.path = PH_PATH_WEIGHTS, .times = times, .keys = 3, .width = 1}, numbers, 3);
-        assert_int_equal(clip->time_shift, cases[i].shift);
         assert_int_equal(clip->duration, cases[i].duration);
         for (int k = 0; k < 3; k++) {
             assert_int_equal(t->times[k], cases[i].steps[k]);
@@ -224,9 +220,13 @@ static void clips_are_named_and_last_as_long_as_their_longest_track(void **state
     assert_string_equal(clip[2].name, "clip 2");
     assert_string_equal(clip[3].name, "012345678901234567890123456789012345678901234567890123456789");
     assert_true(clip[0].track_count == 2 && clip[0].duration == 32768);
-    assert_true(clip[1].track_count == 0 && clip[1].duration == 0 && clip[1].time_shift == 0);
+    assert_true(clip[1].track_count == 0 && clip[1].duration == 0);
     assert_true(clip[2].track_count == 1 && clip[2].duration == 16384);
     assert_int_equal(clip[0].tracks[1].times[0], 8192);
+    clips[0].tracks[1].times = half;
+    assert_true(make(clips, 4));
+    assert_ptr_equal(clip[0].tracks[1].times, clip[0].tracks[0].times); /* they are the same */
+    clips[0].tracks[1].times = (float *)(void *)(uintptr_t)long_time;
     assert_int_equal(clip[0].tracks[0].keys[12], 16384); /* the next track does not lie on it */
     assert_int_equal(clip[0].tracks[0].keys[15], 8192);
     assert_true(make(clips, 3));
@@ -248,7 +248,7 @@ int main(void)
         cmocka_unit_test(what_has_no_room_is_refused),
         cmocka_unit_test(rotations_use_all_bits),
         cmocka_unit_test(tangents_are_multiplied_by_the_time_between_keys),
-        cmocka_unit_test(times_are_as_fine_as_the_clip_lets_them),
+        cmocka_unit_test(times_count_steps_of_16_bits_of_a_second),
         cmocka_unit_test(the_greatest_error_of_each_property_is_kept),
         cmocka_unit_test(clips_are_named_and_last_as_long_as_their_longest_track),
     };
