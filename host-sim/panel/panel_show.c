@@ -87,6 +87,7 @@ static int open_display(struct panel_display *d, const struct panel_scene *scene
                                    .demo = scene->demo,
                                    .state = scene->state,
                                    .view = scene->view,
+                                   .clip_fps = scene->frames == 0 ? DEMO_CLIPS_BY_CLOCK : 0,
                                    .overlay = scene->overlay,
                                    .sender = d->sender};
     if (scene->diff) {
@@ -204,12 +205,15 @@ static void pace(uint64_t *due_ns, uint32_t fps)
 static int run_frames(struct panel_display *displays, int count, const struct panel_scene *scene)
 {
     struct report report = {panel_show_now_ns(), 0};
-    uint64_t due_ns = report.since_ns;
+    uint64_t due_ns = report.since_ns, before_us = report.since_ns / 1000;
     int status = 0;
     for (uint32_t i = 0; (scene->frames == 0 || i < scene->frames) && status == 0 && *scene->stop == 0; i++) {
+        const uint64_t us = panel_show_now_ns() / 1000;
         for (int k = 0; k < count && status == 0; k++) {
+            runner_pass(&displays[k].runner, (uint32_t)(us - before_us));
             status = show_frame(&displays[k], scene, scene->start + i);
         }
+        before_us = us;
         report.frames += status == 0;
         if (scene->stats) {
             report_stats(displays, count, &report, false);

@@ -33,7 +33,7 @@ struct panel_scene {
     const struct demo *demo;
     void *state; /* what it finds in context->state, or NULL */
     const char *view;
-    uint32_t start, frames; /* frames 0: until stopped */
+    uint32_t start, frames; /* frames 0: until stopped, and clips run by the clock */
     uint32_t fps;           /* 0: as fast as it goes */
     uint16_t band;          /* 0: the board's */
     struct option_depth depth;

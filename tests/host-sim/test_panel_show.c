@@ -97,6 +97,50 @@ static void a_signal_ends_it_after_the_frame(void **state)
     }
 }
 
+/* What the time of clips is in each frame, and when each began. */
+struct timer {
+    volatile sig_atomic_t stop;
+    uint64_t start_ns, began_ns[6];
+    bool by_clock;
+};
+
+static int tell_time(void *context, struct panel_display *display, uint32_t frame)
+{
+    struct timer *t = context;
+    const struct demo_clock clock = display->runner.clock;
+    const double us = 1e6 * (clock.seconds + clock.part / 65536.), rounding = 30;
+    t->began_ns[frame] = panel_show_now_ns();
+    t->by_clock = display->runner.context.clip_fps == DEMO_CLIPS_BY_CLOCK;
+    if (frame > 0) { /* it was read between this call and the one before */
+        assert_true(us >= (double)(t->began_ns[frame - 1] - t->began_ns[0]) / 1000 - rounding);
+    }
+    assert_true(us <= (double)(t->began_ns[frame] - t->start_ns) / 1000 + rounding);
+    t->stop = frame == 5;
+    return 0;
+}
+
+static void clips_run_by_the_clock_unless_frames_are_counted(void **state)
+{
+    (void)state;
+    for (uint32_t frames = 0; frames <= 6; frames += 6) {
+        static struct panel_display d[2];
+        struct sim *sim[2];
+        struct timer timer = {.start_ns = panel_show_now_ns()};
+        plug(&d[0], &board_rpi_waveshare_1in44, &sim[0]);
+        plug(&d[1], &board_rpi_waveshare_1in44, &sim[1]);
+        struct panel_scene scene = scene_of(frames, &timer.stop);
+        scene.before = tell_time;
+        scene.before_context = &timer;
+        scene.fps = 100;
+        assert_int_equal(panel_show_run(d, 2, &scene), 0);
+        assert_int_equal(timer.by_clock, frames == 0);
+        assert_true(timer.began_ns[5] - timer.began_ns[0] >= 40000000);
+        assert_int_equal(d[0].runner.clock.part, d[1].runner.clock.part); /* what they show goes together */
+        sim_close(sim[0]);
+        sim_close(sim[1]);
+    }
+}
+
 /* Wherever the wire fails: one line, and the panel is dark if its last commands get through. */
 static void an_error_ends_it_dark(void **state)
 {
@@ -427,6 +471,7 @@ int main(void)
         cmocka_unit_test(a_report_says_that_a_picture_is_not_the_known_one),
         cmocka_unit_test(a_run_shows_its_frames_and_ends_dark),
         cmocka_unit_test(a_signal_ends_it_after_the_frame),
+        cmocka_unit_test(clips_run_by_the_clock_unless_frames_are_counted),
         cmocka_unit_test(controllers_are_named_by_their_bytes),
         cmocka_unit_test(an_error_ends_it_dark),
         cmocka_unit_test(each_setting_has_its_effect),
