@@ -540,6 +540,9 @@ bool model_rig_bind(struct model_shared *shared, const struct model_place *place
         return false;
     }
     moving->bound.scales_axes = rig->nodes[node].scales_axes;
+    if (rig->nodes[node].mirrors) { /* faces turn over; the depth test shows those that look outwards */
+        ((struct ph_material *)(uintptr_t)drawn->materials)->two_sided = true;
+    }
     return set_skin(shared, node, (const double(*)[4])back, &moving->skin) &&
            (!is_skinned || set_influences(shared, moved, vertices, moving)) &&
            (moved->target_count == 0 || set_targets(shared, moved, vertices, linear, most, moving)) &&

@@ -16,6 +16,7 @@ struct model_rig_node {
     uint32_t number;       /* in the rig; MODEL_NONE: it is not in it */
     uint32_t first_weight; /* of its morph targets, in the rig */
     bool moves;            /* a clip moves it, or what it stands in */
+    bool mirrors;          /* at some moment its meshes are the mirror image of what is bound */
     bool scales_axes;      /* its meshes are scaled differently along their axes at some moment */
 };
 

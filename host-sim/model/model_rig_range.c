@@ -238,31 +238,38 @@ static bool is_conformal(const double (*place)[4], const double (*reference)[4])
     return true;
 }
 
-static bool is_node_conformal(const struct model_rig *rig, uint32_t i, const bool *used, const double (*reference)[4])
+/* Notes how a place differs from the one in which a node's meshes are bound. */
+static void note_place(struct model_rig_node *node, const double (*place)[4], const double (*reference)[4])
 {
-    const struct model_skin *skin = skin_of(rig, i);
-    bool is = true;
-    if (skin == NULL) {
-        return is_conformal((const double(*)[4])rig->nodes[i].world, reference);
-    }
-    for (uint32_t k = 0; is && k < skin->count; k++) {
-        model_matrix place;
-        skin_place(rig, skin, k, place);
-        is = !used[k] || is_conformal((const double(*)[4])place, reference);
-    }
-    return is;
+    node->scales_axes = node->scales_axes || !is_conformal(place, reference);
+    node->mirrors = node->mirrors || model_matrix_determinant(place) * model_matrix_determinant(reference) < 0;
 }
 
-static void find_scaled(struct model_rig *rig, const struct reach *meshes, model_matrix *references)
+static void note_node(struct model_rig *rig, uint32_t i, const bool *used, const double (*reference)[4])
+{
+    const struct model_skin *skin = skin_of(rig, i);
+    struct model_rig_node *node = &rig->nodes[i];
+    if (skin == NULL) {
+        note_place(node, (const double(*)[4])node->world, reference);
+    }
+    for (uint32_t k = 0; skin != NULL && k < skin->count; k++) {
+        model_matrix place;
+        skin_place(rig, skin, k, place);
+        if (used[k]) {
+            note_place(node, (const double(*)[4])place, reference);
+        }
+    }
+}
+
+static void note_all(struct model_rig *rig, const struct reach *meshes, model_matrix *references)
 {
     for (size_t at = 0; at < rig->moment_count; at++) {
         model_rig_pose(rig, &rig->moments[at]);
         for (uint32_t k = 0; k < rig->node_count; k++) {
             const uint32_t i = rig->order[k];
-            struct model_rig_node *node = &rig->nodes[i];
-            node->scales_axes =
-                node->scales_axes || (rig->scene->nodes[i].mesh_count > 0 &&
-                                      !is_node_conformal(rig, i, meshes[i].used, (const double(*)[4])references[i]));
+            if (rig->scene->nodes[i].mesh_count > 0) {
+                note_node(rig, i, meshes[i].used, (const double(*)[4])references[i]);
+            }
         }
     }
     model_rig_pose(rig, &rig->moments[0]);
@@ -293,7 +300,7 @@ bool model_rig_ranges_find(struct model_rig *rig, model_matrix *references)
         find_middle(rig->scene, node, middle);
         set_reference(skin_of(rig, i) != NULL ? &meshes[i] : &nodes[i], least, middle, references[i]);
     }
-    find_scaled(rig, meshes, references);
+    note_all(rig, meshes, references);
     free(nodes);
     free(meshes);
     return true;

@@ -7,10 +7,10 @@
 #include "model_rig_nodes.h"
 
 /*
- * Finds lengths, most_weights and scales_axes of the rig's nodes, and in references[i] the place in which the meshes
- * of node i, if it has some, are bound: where they are in the rest pose, each axis as long as it ever gets. So the
- * positions have 16 bits of what is seen of them at most, and the elements of no joint's matrix leave -2 .. 2. false:
- * no memory.
+ * Finds lengths, most_weights, scales_axes and mirrors of the rig's nodes, and in references[i] the place in which the
+ * meshes of node i, if it has some, are bound: where they are in the rest pose, each axis as long as it ever gets. So
+ * the positions have 16 bits of what is seen of them at most, and the elements of no joint's matrix leave -2 .. 2.
+ * false: no memory.
  */
 bool model_rig_ranges_find(struct model_rig *rig, model_matrix *references);
 

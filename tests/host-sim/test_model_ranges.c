@@ -157,19 +157,31 @@ static void expect_cloud(const struct ph_mesh *meshes, uint32_t count, const str
     }
 }
 
-/* Whether the normals are at right angles to the faces that they belong to. */
-static void expect_normals(const struct ph_mesh *mesh)
+/* Whether the normals of a convex mesh are at right angles to the faces that they belong to, and look outwards. Returns
+ * whether faces look inwards by the order of their corners. */
+static bool expect_normals(const struct ph_mesh *mesh)
 {
+    double middle[3] = {0, 0, 0};
+    bool is_mirrored = false;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        for (int k = 0; k < 3; k++) {
+            middle[k] += (double)(&mesh->positions[i].x)[k] / mesh->vertex_count;
+        }
+    }
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         const uint16_t *t = mesh->triangles[i];
         const struct fx_vec3 *p = &mesh->positions[t[0]], *q = &mesh->positions[t[1]], *r = &mesh->positions[t[2]];
         const double u[3] = {q->x - p->x, q->y - p->y, q->z - p->z}, v[3] = {r->x - p->x, r->y - p->y, r->z - p->z};
         const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-        const double size = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        for (int k = 0; k < 3 && size > 1e7; k++) { /* faces large enough that their own rounding does not count */
+        const double out = n[0] * (p->x - middle[0]) + n[1] * (p->y - middle[1]) + n[2] * (p->z - middle[2]);
+        const double size = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) * (out < 0 ? -1 : 1);
+        for (int k = 0; k < 3 && fabs(size) > 1e7;
+             k++) { /* faces large enough that their own rounding does not count */
             assert_true(fabs(n[k] / size - mesh->normals[t[0]][k] / 16384.) < 1. / 64);
+            is_mirrored = is_mirrored || size < 0;
         }
     }
+    return is_mirrored;
 }
 
 static uint64_t memory[1 << 13];
@@ -183,6 +195,7 @@ static void plays(const struct file *file, truth right, int cubes, uint32_t movi
     const struct animation_stage *stage = animation_begin(&arena, a, model->meshes, model->mesh_count);
     assert_non_null(stage);
     assert_int_equal(a->mesh_count, moving);
+    bool is_mirrored[CUBES] = {false};
     const double begin = (double)file->times[0], end = file->times[1] > 0 ? (double)file->times[1] : 1;
     const uint32_t first = (uint32_t)(begin * FRAMES);
     for (uint32_t frame = first; frame < first + FRAMES; frame++) {
@@ -191,8 +204,11 @@ static void plays(const struct file *file, truth right, int cubes, uint32_t movi
         animation_move(stage, NULL, frame);
         expect_cloud(stage->meshes, model->mesh_count, &cloud, a);
         for (uint32_t i = 0; i < model->mesh_count; i++) {
-            expect_normals(&stage->meshes[i]);
+            is_mirrored[i] = expect_normals(&stage->meshes[i]) || is_mirrored[i];
         }
+    }
+    for (uint32_t i = 0; i < model->mesh_count; i++) { /* faces that turn over are drawn from both sides */
+        assert_int_equal(model->meshes[i].materials->two_sided, is_mirrored[i]);
     }
     model_close(model);
 }
@@ -277,6 +293,32 @@ static void what_turns_in_what_is_stretched_is_sheared(void **state)
                          {0},
                          {0}},
           stretched, 1, 1);
+}
+
+static void turned_over(int cube, const double c[3], double t, double p[3])
+{
+    (void)cube;
+    p[0] = c[0] * (1 - 2 * t);
+    p[1] = c[1] * (1 + t);
+    p[2] = c[2] * (.5 - t);
+}
+
+static void inside_out(int cube, const double c[3], double t, double p[3])
+{
+    (void)cube;
+    for (int k = 0; k < 3; k++) {
+        p[k] = c[k] * (k == 0 ? 1 - 3 * t : 1);
+    }
+}
+
+/* Two axes that change their signs are a turn by half; one makes the mirror image. */
+static void a_scale_may_change_its_sign(void **state)
+{
+    (void)state;
+    plays(&(struct file){"[{\"mesh\":0}]", "[0]", {{"scale", 0, 3, {1, 1, .5f}, {-1, 2, -.5f}}}, {0}, {0}}, turned_over,
+          1, 1);
+    plays(&(struct file){"[{\"mesh\":0}]", "[0]", {{"scale", 0, 3, {1, 1, 1}, {-2, 1, 1}}}, {0}, {0}}, inside_out, 1,
+          1);
 }
 
 static void exchanged(int cube, const double c[3], double t, double p[3])
@@ -370,6 +412,7 @@ int main(void)
         cmocka_unit_test(a_floor_stands_still_beside_what_moves),
         cmocka_unit_test(a_thin_floor_moves),
         cmocka_unit_test(what_turns_in_what_is_stretched_is_sheared),
+        cmocka_unit_test(a_scale_may_change_its_sign),
         cmocka_unit_test(scales_above_one_another_may_be_far_apart),
         cmocka_unit_test(a_target_may_be_larger_than_the_mesh),
         cmocka_unit_test(a_long_clip_keeps_its_time),

@@ -71,7 +71,8 @@ static void set_mean(struct mean *mean, const struct ph_xform *matrices, const s
 }
 
 /*
- * Makes turn the cofactors of the matrix, which turn normals as it turns surfaces, by a common factor. Each column is
+ * Makes turn the cofactors of the matrix, which turn normals as it turns surfaces, by a common factor: negative ones
+ * where the matrix mirrors, so that normals that look outwards do so then. Each column is
  * brought to 14 bits first, so that an axis which is short keeps its direction: column k of the cofactors, which is
  * the cross product of the other two, then counts 2^-down[k].
  */
@@ -91,13 +92,18 @@ static void set_cofactors(struct mean *mean)
             a[i][k] = down[k] < 0 ? a[i][k] * (1 << -down[k]) : a[i][k] >> down[k]; /* -2^14 .. 2^14 - 1 */
         }
     }
+    int32_t size = 0; /* of the sign that the determinant has */
     for (int k = 0; k < 3; k++) {
         const int b = k < 2 ? k + 1 : 0, c = k > 0 ? k - 1 : 2;
         for (int i = 0; i < 3; i++) {
             const int m = i < 2 ? i + 1 : 0, n = i > 0 ? i - 1 : 2;
             const int32_t cross = a[m][b] * a[n][c] - a[m][c] * a[n][b]; /* -2^29 .. 2^29 */
             mean->rows[i].turn[k] = cross >> (down[k] - least < 16 ? 15 + down[k] - least : 31);
+            size += k == 0 ? a[i][0] * (cross >> 15) : 0; /* 3 2^14 2^14 at most */
         }
+    }
+    for (int i = 0; i < 9 && size < 0; i++) { /* what mirrors leaves outside outside */
+        mean->rows[i / 3].turn[i % 3] = -mean->rows[i / 3].turn[i % 3];
     }
 }
 

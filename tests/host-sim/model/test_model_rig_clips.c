@@ -226,6 +226,10 @@ static void clips_are_named_and_last_as_long_as_their_longest_track(void **state
     clips[0].tracks[1].times = half;
     assert_true(make(clips, 4));
     assert_ptr_equal(clip[0].tracks[1].times, clip[0].tracks[0].times); /* they are the same */
+    clips[0].tracks[1].keys = 1;
+    assert_true(make(clips, 4));
+    assert_ptr_not_equal(clip[0].tracks[1].times, clip[0].tracks[0].times);
+    clips[0].tracks[1].keys = 2;
     clips[0].tracks[1].times = (float *)(void *)(uintptr_t)long_time;
     assert_int_equal(clip[0].tracks[0].keys[12], 16384); /* the next track does not lie on it */
     assert_int_equal(clip[0].tracks[0].keys[15], 8192);
