@@ -67,6 +67,11 @@ int main(void)
 }
 END
 
+the_arm_is_the_examples() { # which test_example_programs.sh builds and runs
+    block c 'ph_pose_blend' >"$dir/arm.c"
+    [ -s "$dir/arm.c" ] && sed -n '/^\/\* Finds where the joints/,/^}/p' firmware/package/examples/animation.c | diff - "$dir/arm.c"
+}
+
 board_and_show_fill_the_glass() {
     block c 'struct board board_mine' >"$dir/board.c"
     { cat "$dir/main.c" && block c 'panel_open'; } >"$dir/show.c"
@@ -154,6 +159,7 @@ gallery_makes_the_pictures() { # pixel by pixel; the plot of depth is drawn by g
 readme_is_short() { [ "$(wc -l <README.md)" -le 300 ]; }
 
 check "the_program_prints_what_is_shown" program_prints_what_is_shown
+check "the_arm_that_moves_is_that_of_the_example" the_arm_is_the_examples
 check "the_board_and_show_fill_the_glass" board_and_show_fill_the_glass
 check "an_image_of_that_board_gets_its_memory" image_of_that_board_gets_its_memory
 check "the_commands_run" commands_run
