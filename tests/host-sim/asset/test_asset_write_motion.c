@@ -175,10 +175,42 @@ static void a_clip_without_tracks_has_a_row_of_zeros(void **state)
     expect("{-9, -8, 9}},\n    .meshes = moving,\n");
 }
 
+static void the_outline_is_written_where_there_is_one(void **state)
+{
+    (void)state;
+    static const struct fx_vec3 outline[] = {{1, -2, 3}, {-400000, 500000, -600000}};
+    static const int32_t numbers[] = {1, -2, 3, -400000, 500000, -600000};
+    const struct model *const model = &made_asset(true)->model;
+    write_motion(model);
+    assert_null(strstr(text, "outline"));
+    model->motion->animation.outline = outline;
+    model->motion->animation.outline_count = 2;
+    write_motion(model);
+    c_text_expect_i32(text, "outline", numbers, 6);
+    expect("\nstatic const struct fx_vec3 outline[] = {\n");
+    expect("    .weight_count = 3,\n    .outline = outline,\n    .outline_count = 2,\n    .rest_weights = ");
+}
+
+/* Of three meshes that move the second has it. */
+static void a_mesh_says_that_its_joints_scale_axes(void **state)
+{
+    (void)state;
+    const struct model *const model = &made_asset(true)->model;
+    write_motion(model);
+    assert_null(strstr(text, "scales_axes"));
+    ((struct animation_mesh *)(uintptr_t)model->motion->animation.meshes)[1].bound.scales_axes = true;
+    write_motion(model);
+    expect("    {.mesh = 2, .bound = {.positions = bound_1, .normals = normals_2, .scales_axes = true, "
+           ".vertex_count = 5, .frac = 15},\n");
+    assert_null(strstr(strstr(text, "scales_axes") + 1, "scales_axes"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_teardown(the_rig_is_its_nodes_and_weights, drop),
+        cmocka_unit_test_teardown(the_outline_is_written_where_there_is_one, drop),
+        cmocka_unit_test_teardown(a_mesh_says_that_its_joints_scale_axes, drop),
         cmocka_unit_test_teardown(skins_are_written_once, drop),
         cmocka_unit_test_teardown(vertices_are_written_with_targets_and_influences, drop),
         cmocka_unit_test_teardown(meshes_name_their_arrays, drop),
