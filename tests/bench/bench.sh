@@ -94,5 +94,7 @@ case " $* " in *' m3 '*)
 esac
 case " $* " in *' m0plus '*)
     say "blends"
-    tests/bench/blends.sh m0plus ;;
+    tests/bench/blends.sh m0plus
+    say "skin"
+    tests/bench/skin.sh m0plus ;;
 esac

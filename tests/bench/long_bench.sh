@@ -58,4 +58,5 @@ check "the_JSON_has_every_row" eval '[ "$(grep -c "^{\"core\": \"" "$B/bench.jso
 check "the_README_shows_the_committed_numbers" readme_agrees
 check "no_term_grows_faster_than_linearly_and_bands_are_cheap" tests/bench/growth.sh m3
 check "a_pixel_that_is_blended_costs_no_more_than_its_bar" tests/bench/blends.sh m0plus
+check "what_moves_costs_no_more_instructions_than_its_bar" tests/bench/skin.sh m0plus
 tap_end

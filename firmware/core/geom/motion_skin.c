@@ -102,7 +102,7 @@ static void set_cofactors(struct mean *mean)
             size += k == 0 ? a[i][0] * (cross >> 15) : 0; /* 3 2^14 2^14 at most */
         }
     }
-    for (int i = 0; i < 9 && size < 0; i++) { /* what mirrors leaves outside outside */
+    for (int i = 0; i < 9 && size < 0; i++) { /* what looks outwards does so in the mirror image, too */
         mean->rows[i / 3].turn[i % 3] = -mean->rows[i / 3].turn[i % 3];
     }
 }

@@ -102,11 +102,16 @@ static bool read_joints(struct reader *reader, const struct gltf_json *attribute
             return set == 0 || joints == weights ||
                    gltf_file_failed(reader->file, "a primitive has only one of %s and %s", names[0], names[1]);
         }
-        for (size_t i = 0; set > 0 && i < 4 * (size_t)p->vertex_count; i++) {
+        if (set == 0) {
+            continue;
+        }
+        for (size_t i = 0; i < 4 * (size_t)p->vertex_count; i++) {
             const size_t vertex = i & ~(size_t)3;
             reader->has_more_joints =
                 offer_joint(m->joints + vertex, m->weights + vertex, joints[i], weights[i]) || reader->has_more_joints;
         }
+        free(joints);
+        free(weights);
     }
 }
 
