@@ -10,7 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export B=${B:-build}
-dir=$B/bench-walker board=pico-display-2-walker frames=${1:-64} scene=${SCENE_BYTES:-118272} light=${LIGHT:-daylight} most=162201 # 60 % of 264 KiB
+dir=$B/bench-walker board=pico-display-2-walker frames=${1:-64} scene=${SCENE_BYTES:-117000} light=${LIGHT:-daylight} most=162201 # 60 % of 264 KiB
 rm -rf "$dir"
 mkdir -p "$dir/kits/$board"
 sed "s/board_pico_display_2 /board_${board//-/_} /; s/BUDGET_RP2040/.scene_bytes = $scene, .image_ram = {$most, $most}/; s/\.band_height = 16/.band_height = ${LINES_A_BAND:-10}, .band_buffers = ${BUFFERS:-2}/" boards/pico-display-2/board.c >"$dir/kits/$board/board.c"
