@@ -164,6 +164,9 @@ inline uint64_t fx_quotient_u64(uint64_t n, uint64_t d)
     return FX_DIVIDES_32 ? n / d : fx_quotient_bits(n, d);
 }
 
+/* floor(n / d), d > 0, for callers that run rarely. The compiler's library would take 270 bytes for it. */
+uint32_t fx_quotient_far(uint32_t n, uint32_t d);
+
 /* floor(2^62 / d) for d = 2^31 .. 2^32 - 1. */
 inline __attribute__((always_inline)) uint32_t fx_rcp_top(uint32_t d)
 {

@@ -260,6 +260,8 @@ static void binary(const int32_t *a)
     check(fx_mul_wide(a[0], a[1]) == fx_mul_far(a[0], a[1]), "fx_mul_wide");
     const uint64_t dividend = (uint64_t)wide, divisor = (uint64_t)fx_magnitude(a[0]) << (a[1] & 31) | 1;
     check(fx_quotient_u64(dividend, divisor) == fx_quotient_bits(dividend, divisor), "fx_quotient_u64");
+    const uint32_t by = (uint32_t)divisor | 1;
+    check(fx_quotient_far((uint32_t)dividend, by) == (uint32_t)dividend / by, "fx_quotient_far");
     int zeros[2];
     check(fx_rcp_far((uint32_t)a[0], &zeros[0]) == fx_rcp_norm((uint32_t)a[0], &zeros[1]) && zeros[0] == zeros[1],
           "fx_rcp_far");

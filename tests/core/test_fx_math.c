@@ -310,6 +310,9 @@ static void remainder_agrees(int32_t a, int32_t b)
     if (d > 1) {
         same("quotient_rcp", a, b, fx_quotient_rcp(n, d), n / d);
     }
+    if (d > 0) {
+        same("quotient_far", a, b, fx_quotient_far(n, d), n / d);
+    }
     same("fmod", a, b, fx_fmod(a, b), b == 0 ? 0 : (int64_t)a % b);
 }
 

@@ -44,6 +44,11 @@ void proof_quotient_bits(void)
     fx_quotient_bits((uint64_t)nondet_i64(), (uint64_t)d);
 }
 
+void proof_quotient_far(void)
+{
+    fx_quotient_far(nondet_u32(), u32_between(1, UINT32_MAX));
+}
+
 void proof_rcp_newton(void)
 {
     fx_rcp_newton(u32_between((uint32_t)1 << 31, UINT32_MAX));

@@ -28,6 +28,7 @@ fx.products              |                       |  1 | no overflow
 fx_div.div               | fx_rcp_newton         |  3 | no overflow in the turns that Gappa allows
 fx.rcp                   |                       |  1 | no overflow
 fx.quotient_bits         |                       | 65 | no overflow
+fx.quotient_far          | fx_rcp_newton         |  1 | no overflow
 fx.rcp_newton            |                       |  1 | no overflow
 fx.rcp16                 |                       |  1 | 2^15 .. 2^16 - 1
 fx.lerp                  |                       |  1 | no overflow

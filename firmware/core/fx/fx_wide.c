@@ -32,3 +32,8 @@ PH_TIER(seldom) uint64_t fx_quotient_bits(uint64_t n, uint64_t d)
     }
     return q;
 }
+
+PH_TIER(scenery) uint32_t fx_quotient_far(uint32_t n, uint32_t d)
+{
+    return d > 1 ? fx_quotient_u32(n, d) : n;
+}

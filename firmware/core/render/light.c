@@ -56,8 +56,9 @@ static void prepare_colour(struct ph_local_light *l, const struct ph_light *ligh
         sum += (uint32_t)l->colour[k];
     }
     if (!coloured && !white) {
-        l->diffuse = l->diffuse * (int32_t)(sum / 3) >> 14;
-        l->specular = l->specular * (int32_t)(sum / 3) >> 14;
+        const int32_t mean = (int32_t)(sum * 43691 >> 17); /* a third: exact up to 3 * 16384 */
+        l->diffuse = l->diffuse * mean >> 14;
+        l->specular = l->specular * mean >> 14;
     }
 }
 
@@ -72,8 +73,8 @@ static void prepare_material(struct ph_local_lights *local, const struct ph_rend
     local->scale = PH_LIGHT_SPAN;
     local->limit = 16384;
     if (specular > 0) {
-        local->scale = (int32_t)(span / (16384 + specular));
-        local->limit = (int32_t)(span / (uint32_t)local->scale);
+        local->scale = (int32_t)fx_quotient_u64(span, 16384 + specular);
+        local->limit = (int32_t)fx_quotient_u64(span, (uint32_t)local->scale);
         ph_light_to_local(to_world, viewer, local->to_viewer);
     }
 }

@@ -123,9 +123,9 @@ static inline uint32_t ph_octave_pixels(uint32_t d, uint32_t gd, int octave, int
     const uint32_t bottom = octave >= lowest ? 0 : ((uint32_t)1 << 31) >> octave;
     uint32_t room;
     if ((int32_t)gd >= 0) {
-        room = gd == 0 ? left : wrapped ? (0u - d - 1) / gd + 1 : (top - d) / gd + 1;
+        room = gd == 0 ? left : fx_quotient_far(wrapped ? 0u - d - 1 : top - d, gd) + 1;
     } else {
-        room = wrapped ? left : (d - bottom) / (0u - gd) + 1;
+        room = wrapped ? left : fx_quotient_far(d - bottom, 0u - gd) + 1;
     }
     return room < left ? room : left;
 }

@@ -14,7 +14,8 @@ static void clamp_light(uint32_t *light, uint32_t *glight, uint32_t n)
     const uint32_t from = (int32_t)*light < 0 ? 0 : *light > most ? most : *light;
     const uint32_t to = (int32_t)last < 0 ? 0 : last > most ? most : last;
     *light = from;
-    *glight = n > 1 ? (uint32_t)((int32_t)(to - from) / (int32_t)(n - 1)) : 0;
+    const uint32_t step = n > 1 ? fx_quotient_far(from < to ? to - from : from - to, n - 1) : 0;
+    *glight = from < to ? step : 0u - step;
 }
 
 /* Draws a row in which light is beyond 32 32nds: a highlight. */
