@@ -52,7 +52,7 @@ static inline uint32_t draw_beyond(struct ph_triangle ***carry, struct ph_triang
 /* Whether the other core is idle, and there is a row for each. Without another core this saves the call. */
 static inline bool is_helped(const struct ph_renderer *r, const struct ph_band *rows)
 {
-    return r->config.other_core != NULL && rows->y1 - rows->y0 >= 2 && ph_other_core_is_idle(r);
+    return r->config.other_core != NULL && rows->y1 - rows->y0 >= 2 && r->config.cores->is_idle(r);
 }
 
 /* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference
@@ -152,6 +152,21 @@ PH_TIER(mesh) static void draw_triangles(struct ph_feed *f, const struct ph_band
     r->stats.fragments += rest.fragments;
 }
 
+PH_TIER(mesh) void ph_draw_rows(struct ph_feed *f, struct ph_band *rows)
+{
+    struct ph_renderer *const r = f->r;
+    draw_triangles(f, rows);
+    if (r->points != NULL) {
+        r->points->draw_opaque(r, rows, f->band);
+    }
+    if (r->after != NULL) {
+        rows->coarse = NULL; /* blended triangles are drawn into rows of their own */
+        r->after->draw_after(r, rows);
+    } else if (r->fog != NULL) {
+        r->fog->fog_band(r, rows);
+    }
+}
+
 PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
@@ -167,35 +182,13 @@ PH_TIER(mesh) uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16
     struct ph_band rows = {NULL, r->config.depth, depth24, r->config.width,  y0,
                            y1,   r->config.width, NULL,    ph_depth_ways(r), r->config.colouring};
     rows.coarse = r->config.occlusion != NULL ? coarse : NULL;
-    const struct ph_antialiasing *const antialiasing = r->config.antialiasing;
-    rows.pixels = antialiasing != NULL
-                      ? r->config.samples
-                      : pixels; /* an assignment, not an initialiser: else clang-tidy asks for a const pointer */
-    struct ph_columns in;       /* set only with samples */
-    if (antialiasing != NULL) {
-        antialiasing->find_columns(r, band, &in);
-    }
     struct ph_feed f;
     ph_feed_start(&f, r, band);
-    if (antialiasing == NULL || f.ref != PH_NONE || r->carried != NULL || r->after != NULL || r->points != NULL) {
-        if (antialiasing != NULL) {
-            antialiasing->clear_samples(&rows, &in, r->background);
-        }
-        draw_triangles(&f, &rows);
-        if (r->points != NULL) {
-            r->points->draw_opaque(r, &rows, band);
-        }
-        if (r->after != NULL) {
-            rows.coarse = NULL; /* blended triangles are drawn into rows of their own */
-            r->after->draw_after(r, &rows);
-        } else if (r->fog != NULL) {
-            r->fog->fog_band(r, &rows);
-        }
+    if (r->config.antialiasing != NULL) {
+        r->config.antialiasing->draw_samples(&f, &rows, pixels);
     } else {
-        ph_clear_depth(&rows); /* a blur reads it; nobody reads a sample */
-    }
-    if (antialiasing != NULL) {
-        antialiasing->resolve_samples(&rows, &in, r->background, pixels);
+        rows.pixels = pixels; /* an assignment, not an initialiser: else clang-tidy asks for a const pointer */
+        ph_draw_rows(&f, &rows);
     }
     return (uint32_t)(y1 - y0) >> r->samples_log2;
 }

@@ -46,6 +46,9 @@ void ph_clear_depth(const struct ph_band *rows);
 /* Clears the rows of a band; of samples only depth, see ph_samples_clear. */
 void ph_clear_rows(const struct ph_renderer *r, const struct ph_band *rows);
 
+/* Draws the band that a feed stands at: its triangles, its points, and what comes after them. */
+void ph_draw_rows(struct ph_feed *f, struct ph_band *rows);
+
 /* bands_cores.c: draws some triangles of a band with two cores: those that are set up already, or the next. Triangles
  * that come next are set up meanwhile, also of the band below, where no reference is put any more then. False: the band
  * is finished. */

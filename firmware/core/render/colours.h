@@ -5,6 +5,7 @@
 #include "band.h"
 
 struct ph_clip_vertex;
+struct ph_corner;
 struct ph_part_context;
 struct ph_part_lighting;
 struct ph_setting;
@@ -19,9 +20,10 @@ struct ph_colouring {
     bool (*is_alike)(const struct ph_part_context *c, const struct ph_material *before);
     /* The lit colour of a vertex, RGB565 as a number. */
     uint16_t (*vertex_colour)(const struct ph_part_context *c, uint32_t i);
-    /* Before clipping: the channels of lit colours take the places of light, u and v, 16 bits each: see
-     * ph_list_corners. */
+    /* Before clipping: the channels of lit colours take the places of light, u and v, 16 bits each. */
     void (*take_colours)(struct ph_clip_vertex *in, bool flat);
+    /* After clipping: the lit colour of a corner again, RGB565 as a number. */
+    uint16_t (*colour_of)(const struct ph_corner *corner);
     /* planes.h: ph_set_colours; and ph_draw_colours. */
     void (*set_colours)(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                         bool flat);

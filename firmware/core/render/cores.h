@@ -23,15 +23,20 @@ static inline void ph_run_both(const struct ph_renderer *r, void (*run)(void *ar
 /* Whether there is another core, and it is free. */
 bool ph_other_core_is_idle(const struct ph_renderer *r);
 
+struct ph_clip_matrix;
 struct ph_feed;
 struct ph_part_context;
 struct ph_rest;
+struct ph_vertex;
 
 /* What only a renderer with two cores calls; struct ph_config names it, so that the linker leaves it out of a program
- * for one core. See mesh.h and bands.h. */
+ * for one core. See transform.h, mesh.h and bands.h. */
 struct ph_cores {
-    bool (*each_both)(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen);
-    bool (*cull_both)(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen);
+    uint32_t (*transform_both)(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
+                               struct ph_vertex *vertices);
+    uint32_t (*each_both)(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
+    uint32_t (*cull_both)(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
+    bool (*is_idle)(const struct ph_renderer *r); /* ph_other_core_is_idle */
     bool (*draw_chunk)(struct ph_feed *f, struct ph_rest *rest, bool clears);
 };
 

@@ -57,14 +57,9 @@ PH_TIER(mesh) static void sort_refs(struct ph_renderer *r)
         return;
     }
     for (; i >= 8; i -= 8, ref += 8) {
-        sort_ref(bins, ref, i - 1);
-        sort_ref(bins, ref + 1, i - 2);
-        sort_ref(bins, ref + 2, i - 3);
-        sort_ref(bins, ref + 3, i - 4);
-        sort_ref(bins, ref + 4, i - 5);
-        sort_ref(bins, ref + 5, i - 6);
-        sort_ref(bins, ref + 6, i - 7);
-        sort_ref(bins, ref + 7, i - 8);
+        for (uint32_t k = 0; k < 8; k++) { /* unrolled where the compiler does not optimize for size */
+            sort_ref(bins, ref + k, i - 1 - k);
+        }
     }
     for (; i > 0; i--, ref++) {
         sort_ref(bins, ref, i - 1);

@@ -2,6 +2,7 @@
 #include "gouraud.h"
 
 #include "edge.h"
+#include "planes.h"
 #include "raster_rows.h"
 
 /* Whether a triangle of any height is as narrow as a small one, less a pixel, and keeps a pixel off the sides of the
@@ -45,4 +46,4 @@ static void take_tall(struct ph_triangle *t, const struct ph_renderer *r, const 
     small->lower_rows = (uint16_t)(upper_rows > 0 ? lower_rows : 0);
 }
 
-const struct ph_gouraud ph_gouraud = {.take_tall = take_tall, .draw_long = ph_draw_long};
+const struct ph_gouraud ph_gouraud = {.take_tall = take_tall, .set_light = ph_set_light, .draw_long = ph_draw_long};

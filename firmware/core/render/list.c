@@ -9,6 +9,7 @@ PH_TIER(mesh) static inline void *ph_at(const struct ph_renderer *r, uint32_t pl
 #include "list.h"
 
 #include "colour.h"
+#include "colours.h"
 #include "edge.h"
 #include "kernels.h"
 
@@ -494,8 +495,8 @@ bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const str
     if (area == 0 || (area < 0 && !two_sided)) {
         return false;
     }
-    return area > 0 ? list_at(r, corner[0], corner[1], corner[2], ph_first_row_of(r, v))
-                    : list_at(r, corner[0], corner[2], corner[1], ph_first_row_of(r, v));
+    const int second = area > 0 ? 1 : 2;
+    return list_at(r, corner[0], corner[second], corner[3 - second], ph_first_row_of(r, v));
 }
 
 _Static_assert(sizeof(struct ph_vertex) == 2 * GRAIN && sizeof(struct ph_corner) == 3 * GRAIN, "see number_behind");
@@ -543,8 +544,7 @@ int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *materia
             struct ph_vertex *const v = (struct ph_vertex *)(void *)(to + i * size);
             *v = corners[i].at;
             if ((kind & PH_DRAW_COLOURS) != 0) {
-                const unsigned green = (unsigned)corners[i].uv[0], blue = (unsigned)corners[i].uv[1];
-                v->light = (uint16_t)((v->light & 0xf800) | (green >> 10 & 63) << 5 | (blue >> 11 & 31));
+                v->light = r->config.colouring->colour_of(&corners[i]);
             }
         }
     }

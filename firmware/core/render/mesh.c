@@ -13,34 +13,20 @@
 #include "setup.h"
 #include "transform.h"
 
-/* Triangles that are drawn one by one: fewer than these are drawn by one core, which draws so many before it asks for
- * the other core again. */
-#define EACH_LEAST 6
-#define EACH_ALONE 3
-
 uint32_t ph_draw_each(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
     uint32_t seen = 0;
-    bool may_share = c->draw.uvs == NULL && !ph_has_uvs(c->material);
-    while (index < end) {
-        uint32_t count = (uint32_t)(end - index);
-        if (may_share && count >= EACH_LEAST && ph_other_core_is_idle(c->r)) {
-            count = count < PH_MESH_BLOCK ? count : PH_MESH_BLOCK;
-            may_share = c->r->config.cores->each_both(c, index, count, &seen);
-            index += may_share ? count : 0;
-            continue;
-        }
-        for (const uint16_t(*const stop)[3] = index + (count < EACH_ALONE ? count : EACH_ALONE); index < stop;
-             index++) {
-            seen += ph_draw_any(c, *index);
-        }
+    if (c->r->config.other_core != NULL && c->draw.uvs == NULL && !ph_has_uvs(c->material)) {
+        return c->r->config.cores->each_both(c, index, end);
+    }
+    for (; index < end; index++) {
+        seen += ph_draw_any(c, *index);
     }
     return seen;
 }
 
-/* Lists the triangles of a part on this core. ph_cull lists most of them. */
 PH_TIER(mesh)
-static uint32_t cull_alone(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+uint32_t ph_cull_alone(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
     struct ph_list *const list = &c->r->list;
     struct ph_cull_run run = ph_cull_run_of(c, index, end);
@@ -55,21 +41,8 @@ static uint32_t cull_alone(const struct ph_part_context *c, const uint16_t (*ind
 PH_TIER(mesh)
 static uint32_t draw_facing(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
-    const struct ph_list *const list = &c->r->list;
-    uint32_t seen = 0;
-    while (index < end && c->r->config.other_core != NULL) {
-        const uint32_t room = (uint32_t)(list->to - list->end), left = (uint32_t)(end - index);
-        const uint32_t most = c->codes != 0 && left > PH_MESH_BLOCK ? PH_MESH_BLOCK : left,
-                       count = most < room ? most : room;
-        if (count < PH_SHARED_LEAST) {
-            break;
-        }
-        if (!c->r->config.cores->cull_both(c, index, count, &seen)) {
-            seen += cull_alone(c, index, index + count);
-        }
-        index += count;
-    }
-    return seen + cull_alone(c, index, end);
+    return c->r->config.other_core != NULL ? c->r->config.cores->cull_both(c, index, end)
+                                           : ph_cull_alone(c, index, end);
 }
 
 PH_TIER(mesh) static void draw_triangles(struct ph_part_context *c, const struct ph_part *part)

@@ -72,13 +72,14 @@ static inline struct ph_cull_run ph_cull_run_of(const struct ph_part_context *c,
                                 .mark = c->lit ? PH_LIT : 0};
 }
 
-/* mesh_cores.c: draws at most PH_MESH_BLOCK triangles by ph_draw_any on two cores, and adds those that can be seen.
- * False if there is too little room for that: then nothing is listed. */
-bool ph_each_both(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen);
+/* mesh.c: lists the triangles of a part on this core. ph_cull lists most of them. Returns how many can be seen. */
+uint32_t ph_cull_alone(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
 
-/* mesh_cores.c: culls and lists triangles on two cores, each into its own half of the room, and adds those that can be
- * seen. False if one must be clipped: then nothing is listed. */
-bool ph_cull_both(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen);
+/* mesh_cores.c: draws triangles without texture coordinates as ph_draw_each does, on two cores where both are free. */
+uint32_t ph_each_both(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
+
+/* mesh_cores.c: lists the triangles of a part as ph_cull_alone does, on two cores where both are free. */
+uint32_t ph_cull_both(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
 
 /* mesh_edges.c: draws each edge of the mesh once, as a line. */
 void ph_draw_edges(const struct ph_part_context *c);

@@ -50,11 +50,18 @@ static void take_colours(struct ph_clip_vertex in[3], bool flat)
     in[0].light = (in[0].light >> 11) << 11 | 1 << 10;
 }
 
+static uint16_t colour_of(const struct ph_corner *corner)
+{
+    const unsigned green = (unsigned)corner->uv[0], blue = (unsigned)corner->uv[1];
+    return (uint16_t)((corner->at.light & 0xf800) | (green >> 10 & 63) << 5 | (blue >> 11 & 31));
+}
+
 const struct ph_colouring ph_colouring = {.parts = &ph_part_lighting,
                                           .is_coloured = is_coloured,
                                           .is_alike = is_alike,
                                           .vertex_colour = vertex_colour,
                                           .take_colours = take_colours,
+                                          .colour_of = colour_of,
                                           .set_colours = ph_set_colours,
                                           .take_small_depth = ph_take_small_depth,
                                           .draw_colours = ph_draw_colours};

@@ -38,7 +38,9 @@ static void each_share(void *argument) /* called as each */
     }
 }
 
-bool ph_each_both(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen)
+/* Draws at most PH_MESH_BLOCK triangles by ph_draw_any on two cores, and adds those that can be seen. False if there is
+ * too little room for that: then nothing is listed. */
+static bool each_of_block(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen)
 {
     struct each_lent *const with = ph_list_lend(c->r, &c->draw, sizeof *with);
     if (with == NULL) {
@@ -60,6 +62,31 @@ bool ph_each_both(const struct ph_part_context *c, const uint16_t (*index)[3], u
     }
     *seen += mine.seen + others.seen;
     return true;
+}
+
+/* Triangles that are drawn one by one: fewer than these are drawn by one core, which draws so many before it asks for
+ * the other core again. */
+#define EACH_LEAST 6
+#define EACH_ALONE 3
+
+uint32_t ph_each_both(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+{
+    uint32_t seen = 0;
+    bool may_share = true;
+    while (index < end) {
+        uint32_t count = (uint32_t)(end - index);
+        if (may_share && count >= EACH_LEAST && ph_other_core_is_idle(c->r)) {
+            count = count < PH_MESH_BLOCK ? count : PH_MESH_BLOCK;
+            may_share = each_of_block(c, index, count, &seen);
+            index += may_share ? count : 0;
+            continue;
+        }
+        for (const uint16_t(*const stop)[3] = index + (count < EACH_ALONE ? count : EACH_ALONE); index < stop;
+             index++) {
+            seen += ph_draw_any(c, *index);
+        }
+    }
+    return seen;
 }
 
 /* Triangles that one core lists, and where. */
@@ -95,8 +122,10 @@ PH_TIER(figure) static void cull_share(void *argument) /* called as run */
     }
 }
 
+/* Culls and lists triangles on two cores, each into its own half of the room, and adds those that can be seen. False if
+ * one must be clipped: then nothing is listed. */
 PH_TIER(mesh)
-bool ph_cull_both(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen)
+static bool cull_halves(const struct ph_part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen)
 {
     struct ph_list *const list = &c->r->list;
     const uint32_t half = count / 2;
@@ -113,4 +142,24 @@ bool ph_cull_both(const struct ph_part_context *c, const uint16_t (*index)[3], u
         *--list->to = *--from;
     }
     return true;
+}
+
+PH_TIER(mesh)
+uint32_t ph_cull_both(const struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+{
+    const struct ph_list *const list = &c->r->list;
+    uint32_t seen = 0;
+    while (index < end) {
+        const uint32_t room = (uint32_t)(list->to - list->end), left = (uint32_t)(end - index);
+        const uint32_t most = c->codes != 0 && left > PH_MESH_BLOCK ? PH_MESH_BLOCK : left,
+                       count = most < room ? most : room;
+        if (count < PH_SHARED_LEAST) {
+            break;
+        }
+        if (!cull_halves(c, index, count, &seen)) {
+            seen += ph_cull_alone(c, index, index + count);
+        }
+        index += count;
+    }
+    return seen + ph_cull_alone(c, index, end);
 }

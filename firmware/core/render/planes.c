@@ -387,8 +387,9 @@ bool ph_set_float(const struct ph_renderer *r, const struct ph_plane_base *s, co
 }
 
 /* Sets depth in a fixed format; exact: as depth_plane has it. */
-static inline bool set_fixed(const struct ph_renderer *r, const struct ph_plane_base *s,
-                             const struct ph_vertex *const v[3], uint32_t bias, bool exact, struct ph_plane *plane)
+static inline __attribute__((always_inline)) bool set_fixed(const struct ph_renderer *r, const struct ph_plane_base *s,
+                                                            const struct ph_vertex *const v[3], uint32_t bias,
+                                                            bool exact, struct ph_plane *plane)
 {
     uint32_t d[3];
     fixed_depths(r, v, bias, d);
@@ -517,6 +518,13 @@ void ph_set_texel_planes(const struct ph_renderer *r, const struct ph_plane_base
     }
 }
 
+void ph_set_light(const struct ph_plane_base *s, const struct ph_vertex *const v[3], struct ph_triangle *t)
+{
+    const int32_t light[3] = {v[0]->light, v[1]->light, v[2]->light};
+    t->kind = PH_KIND_GOURAUD;
+    plane_light(&t->as.large.of.light, s, light);
+}
+
 /* The colour that a material's ramp has for a light. */
 PH_TIER(scenery) static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
 {
@@ -556,23 +564,19 @@ static void setup_shading(const struct ph_renderer *r, const struct ph_plane_bas
                           const struct ph_vertex *const v[3], const fx_t *const uv[3], struct ph_triangle *t)
 {
     const struct ph_material *const material = t->material;
-    const unsigned corners = ph_lit_corners_of(material);
+    const struct ph_shading *const shading = material->shading;
     if (ph_is_textured(material)) {
-        material->shading->texturing.set_texel_planes(r, s, v, uv, t);
+        shading->texturing.set_texel_planes(r, s, v, uv, t);
+        return;
+    }
+    if (shading != NULL && shading->gouraud != NULL && material->ramp != NULL) {
+        shading->gouraud->set_light(s, v, t);
         return;
     }
     t->kind = PH_KIND_FLAT;
-    if (corners == PH_EACH_CORNER && !ph_takes_texture(material) && material->ramp != NULL) {
-        t->kind = PH_KIND_GOURAUD;
-        const int32_t light[3] = {v[0]->light, v[1]->light, v[2]->light};
-        plane_light(&t->as.large.of.light, s, light);
-        return;
-    }
-    if (corners == PH_FIRST_CORNER && !ph_takes_texture(material)) {
-        t->as.large.of.colour = ramp_colour(material, v[0]->light);
-        return;
-    }
-    t->as.large.of.colour = material->colour;
+    t->as.large.of.colour = ph_lit_corners_of(material) == PH_FIRST_CORNER && !ph_takes_texture(material)
+                                ? ramp_colour(material, v[0]->light)
+                                : material->colour;
 }
 
 PH_TIER(scenery)

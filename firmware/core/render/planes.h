@@ -17,8 +17,9 @@ static inline int32_t ph_wide_reciprocal(uint32_t w, int *shift)
 static inline struct ph_texel_light ph_texture_light(const struct ph_material *material, const struct ph_vertex *first)
 {
     const unsigned corners = material->shading->corners;
-    const unsigned light =
-        corners == PH_FIRST_CORNER ? ((uint32_t)(first->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1) : 32;
+    const unsigned light = corners == PH_FIRST_CORNER
+                               ? fx_quotient_far((uint32_t)(first->light - PH_LIGHT_ZERO) * 33, PH_LIGHT_SPAN + 1)
+                               : 32;
     return (struct ph_texel_light){(uint8_t)light, corners == PH_EACH_CORNER};
 }
 
@@ -74,6 +75,9 @@ void ph_set_texel_planes(const struct ph_renderer *r, const struct ph_plane_base
 
 /* Sets the plane of the light of such a triangle. Only the light of texels names it. */
 void ph_set_texel_light(const struct ph_plane_base *s, const struct ph_vertex *const v[3], struct ph_triangle *t);
+
+/* Sets kind and plane of light of a Gouraud triangle. Only ph_gouraud names it. */
+void ph_set_light(const struct ph_plane_base *s, const struct ph_vertex *const v[3], struct ph_triangle *t);
 
 /* After ph_set_planes: a triangle of PH_DRAW_COLOURS gets its colours. flat: that of its first corner. */
 void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides, bool flat);

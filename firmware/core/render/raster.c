@@ -112,15 +112,11 @@ PH_TIER(scenery) uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_b
     const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride,
                                 .draw_gouraud = ph_small_gouraud};
     t->y_top = (int16_t)band->y1;
-    if (rows < upper_rows) {
-        small->upper_rows = (uint16_t)rows;
-        small->lower_rows = 0;
-        const uint32_t count = draw_left(t, band, small, &at);
-        ph_skip_upper_rows(small, rows, upper_rows, lower_rows);
-        return count;
-    }
-    small->lower_rows = (uint16_t)(rows - upper_rows);
+    small->upper_rows = (uint16_t)(rows < upper_rows ? rows : upper_rows);
+    small->lower_rows = (uint16_t)(rows - small->upper_rows);
     const uint32_t count = draw_left(t, band, small, &at);
-    ph_skip_rows_of(small, rows, upper_rows, lower_rows);
+    small->upper_rows = (uint16_t)upper_rows;
+    small->lower_rows = (uint16_t)lower_rows;
+    ph_skip_rows(small, rows);
     return count;
 }

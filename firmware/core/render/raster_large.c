@@ -3,7 +3,6 @@
 #include "raster_large.h"
 
 #include "colours.h"
-#include "gouraud.h"
 #include "raster_walk.h"
 #include "shading.h"
 #include "tier.h"

@@ -2,8 +2,8 @@
  * samples: antialiased pictures, whose pixels have four samples each. Private to firmware/core.
  *
  * struct ph_config names the struct ph_antialiasing, and nothing else refers to what it names: so the linker leaves it
- * out of a program that draws without. samples.c makes pixels of a band's samples, samples_triangles.c has what is
- * particular about the triangles and lines of samples.
+ * out of a program that draws without. samples.c makes pixels of a band's samples, samples_triangles.c draws a band,
+ * and has what is particular about its triangles and lines.
  */
 #ifndef PH_SAMPLES_H
 #define PH_SAMPLES_H
@@ -11,6 +11,7 @@
 #include "band.h"
 
 struct ph_fast;
+struct ph_feed;
 struct ph_setting;
 
 /* Columns, from the first to behind the last. */
@@ -28,11 +29,8 @@ void ph_samples_clear(const struct ph_band *rows, const struct ph_columns *in, u
 void ph_samples_resolve(const struct ph_band *rows, const struct ph_columns *in, uint16_t background, uint16_t *pixels);
 
 struct ph_antialiasing {
-    /* The functions above. */
-    void (*find_columns)(struct ph_renderer *r, uint32_t band, struct ph_columns *in);
-    void (*clear_samples)(const struct ph_band *rows, const struct ph_columns *in, uint16_t background);
-    void (*resolve_samples)(const struct ph_band *rows, const struct ph_columns *in, uint16_t background,
-                            uint16_t *pixels);
+    /* Draws the band that a feed stands at into samples, and makes pixels of them. */
+    void (*draw_samples)(struct ph_feed *f, struct ph_band *rows, uint16_t *pixels);
     /* Lets ph_setup_fast take longer sides. */
     void (*widen)(struct ph_fast *fast);
     /* Makes a small triangle with a plane of codes that has long rows one of PH_KIND_SMALL_LONG. */

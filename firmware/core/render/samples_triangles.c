@@ -2,6 +2,7 @@
 /* Kits on armv6m: -O2. */
 #include "samples.h"
 
+#include "bands.h"
 #include "edge.h"
 #include "kernels.h"
 #include "line.h"
@@ -60,9 +61,22 @@ static uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *ban
     return ph_long_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
 }
 
-const struct ph_antialiasing ph_antialias_2x2 = {.find_columns = ph_samples_columns,
-                                                 .clear_samples = ph_samples_clear,
-                                                 .resolve_samples = ph_samples_resolve,
+PH_TIER(seldom) static void draw_samples(struct ph_feed *f, struct ph_band *rows, uint16_t *pixels)
+{
+    struct ph_renderer *const r = f->r;
+    struct ph_columns in;
+    rows->pixels = r->config.samples;
+    ph_samples_columns(r, f->band, &in);
+    if (f->ref != PH_NONE || r->carried != NULL || r->after != NULL || r->points != NULL) {
+        ph_samples_clear(rows, &in, r->background);
+        ph_draw_rows(f, rows);
+    } else {
+        ph_clear_depth(rows); /* a blur reads it; nobody reads a sample */
+    }
+    ph_samples_resolve(rows, &in, r->background, pixels);
+}
+
+const struct ph_antialiasing ph_antialias_2x2 = {.draw_samples = draw_samples,
                                                  .widen = widen,
                                                  .set_kind = set_kind,
                                                  .excess_of = ph_excess_of,

@@ -15,7 +15,6 @@ PH_TIER(mesh) static inline bool ph_is_between(int32_t a, int32_t b, int32_t c, 
 #include "colours.h"
 #include "edge.h"
 #include "exact.h"
-#include "gouraud.h"
 #include "kernels.h"
 #include "line.h"
 #include "outline.h"
@@ -82,9 +81,12 @@ static inline bool small_depths(const struct ph_setting *s, const struct ph_vert
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
 
-/* Whether rows between two edges, which are given at the first of them, lie between all pixel centres. */
-PH_TIER(mesh) static bool rows_are_empty(struct ph_edge left, struct ph_edge right, int32_t rows)
+/* Whether rows between two edges, which are given at the first of them, lie between all pixel centres. a_is_left: of
+ * edge a. */
+PH_TIER(mesh)
+static bool rows_are_empty(const struct ph_edge *a, const struct ph_edge *b, bool a_is_left, int32_t rows)
 {
+    struct ph_edge left = a_is_left ? *a : *b, right = a_is_left ? *b : *a;
     for (; rows > 0; rows--) {
         if (left.x >> 16 < right.x >> 16) {
             return false;
@@ -101,17 +103,17 @@ static bool is_empty(const struct ph_triangle *t)
     const struct ph_large *const l = &t->as.large;
     const int32_t upper = l->y_mid - t->y_top, lower = t->y_bottom - l->y_mid;
     const struct ph_edge below = ph_edge_below(l->long_edge, upper);
-    return l->long_left ? rows_are_empty(l->long_edge, l->upper, upper) && rows_are_empty(below, l->lower, lower)
-                        : rows_are_empty(l->upper, l->long_edge, upper) && rows_are_empty(l->lower, below, lower);
+    return rows_are_empty(&l->long_edge, &l->upper, l->long_left, upper) &&
+           rows_are_empty(&below, &l->lower, l->long_left, lower);
 }
 
 PH_TIER(mesh) static bool small_is_empty(const struct ph_small_triangle *s)
 {
     const struct ph_edge left = {(int32_t)s->left, (int32_t)s->left_dx};
     const struct ph_edge right = {(int32_t)s->right, (int32_t)s->right_dx};
-    return rows_are_empty(left, right, s->upper_rows) &&
-           (s->lower_is_right ? rows_are_empty(ph_edge_below(left, s->upper_rows), s->lower, s->lower_rows)
-                              : rows_are_empty(s->lower, ph_edge_below(right, s->upper_rows), s->lower_rows));
+    const struct ph_edge below = ph_edge_below(s->lower_is_right ? left : right, s->upper_rows);
+    return rows_are_empty(&left, &right, true, s->upper_rows) &&
+           rows_are_empty(&below, &s->lower, s->lower_is_right, s->lower_rows);
 }
 
 /* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits are not enough. */
@@ -207,9 +209,13 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
                 : !lit                       ? PH_FROM_COLOUR
                 : corners == PH_FIRST_CORNER ? PH_FROM_FIRST_LIGHT
                                              : PH_FROM_LIGHT;
-    s->set_texels = textured ? material->shading->texturing.set_texels : NULL;
-    s->v_unit = textured ? (uint8_t)ph_texel_v_unit(material->texture) : 0;
     s->antialiasing = r->config.antialiasing;
+    s->excess_of = s->antialiasing != NULL ? s->antialiasing->excess_of : NULL;
+    if (textured) {
+        s->set_texels = material->shading->texturing.set_texels;
+        s->excess_of = material->shading->texturing.excess_of;
+        s->v_unit = (uint8_t)ph_texel_v_unit(material->texture);
+    }
     s->keeps_light = s->source == PH_FROM_LIGHT && s->antialiasing == NULL;
     s->octaves = format->ways->octaves;
     s->fast.lens = s->octaves != NULL ? &r->lens : NULL;
@@ -268,11 +274,9 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     const struct ph_renderer *r = s->r;
     const bool as_small =
         (done == PH_SMALL_STEEP && s->fast.side == PH_SIDE_SMALL) || (ph_sides_are_small(sides) && is_inside(r, v));
-    const enum ph_excess excess = as_small ? PH_EXCESS_NARROW
-                                  : s->source == PH_FROM_TEXELS
-                                      ? s->fast.material->shading->texturing.excess_of(s, sides, v)
-                                  : s->antialiasing != NULL ? s->antialiasing->excess_of(s, sides, v)
-                                                            : PH_EXCESS_LARGE;
+    const enum ph_excess excess = as_small               ? PH_EXCESS_NARROW
+                                  : s->excess_of != NULL ? s->excess_of(s, sides, v)
+                                                         : PH_EXCESS_LARGE;
     const bool small = as_small || (s->antialiasing != NULL &&
                                     excess != PH_EXCESS_LARGE); /* in all shadings its depth is set up as there */
     uint32_t d[3];
@@ -315,37 +319,28 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     }
 }
 
-/* Sets up a triangle whose corners have their texture coordinates beside them. */
-static PH_NOINLINE void setup_corners(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
-{
-    const struct ph_corner *const base = (const void *)s->fast.base;
-    const struct ph_vertex *v[3];
-    const fx_t *uv[3];
-    for (int i = 0; i < 3; i++) {
-        v[i] = &base[ref->corner[i]].at;
-        uv[i] = base[ref->corner[i]].uv;
-    }
-    const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    setup_front(s, v, uv, &sides, PH_SMALL_NO_ROW, t);
-}
-
 PH_TIER(mesh)
 static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
                                        struct ph_triangle *t)
 {
-    const struct ph_vertex *const base = s->fast.base;
-    if ((s->draw->kind & PH_DRAW_UVS) != 0) {
-        setup_corners(s, ref, t);
-        return;
-    }
-    const struct ph_vertex *const v[3] = {&base[ref->corner[0]], &base[ref->corner[1]], &base[ref->corner[2]]};
-    const fx_t *of_corners[3], *const *uv = NULL;
-    if (s->draw->uvs != NULL) {
+    const struct ph_vertex *const base = s->fast.base, *v[3];
+    const fx_t(*const uvs)[2] = s->draw->uvs, *of_corners[3];
+    const bool has_corners = (s->draw->kind & PH_DRAW_UVS) != 0; /* their texture coordinates stand beside them */
+    if (has_corners) {
         for (int i = 0; i < 3; i++) {
-            of_corners[i] = s->draw->uvs[ref->corner[i]];
+            const struct ph_corner *const corner = (const struct ph_corner *)(const void *)base + ref->corner[i];
+            v[i] = &corner->at;
+            of_corners[i] = corner->uv;
         }
-        uv = of_corners;
+    } else {
+        v[0] = &base[ref->corner[0]];
+        v[1] = &base[ref->corner[1]];
+        v[2] = &base[ref->corner[2]];
+        for (int i = 0; uvs != NULL && i < 3; i++) {
+            of_corners[i] = uvs[ref->corner[i]];
+        }
     }
+    const fx_t *const *const uv = has_corners || uvs != NULL ? of_corners : NULL;
     done = s->has_fast_texels ? ph_setup_fast(&s->fast, ref, t) : done;
     const bool is_fast = s->has_fast_texels && done == PH_SMALL_SET;
     if (is_fast && s->set_texels(t, s, v, uv)) {

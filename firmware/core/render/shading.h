@@ -12,7 +12,6 @@
 #include "triangle.h"
 
 struct ph_band;
-struct ph_gouraud;
 struct ph_part_context;
 struct ph_part_lighting;
 struct ph_plane_base;
@@ -51,6 +50,17 @@ struct ph_texturing {
                              const struct ph_vertex *const v[3], const fx_t *const uv[3], struct ph_triangle *t);
     uint32_t (*draw_textured)(const struct ph_triangle *t, const struct ph_band *band);
     const struct ph_texel_lighting *lighting; /* texel_light.h; NULL: texels are shown without light */
+};
+
+/* What only Gouraud triangles without a texture need: gouraud.h. */
+struct ph_gouraud {
+    /* Makes a small triangle of one that has a plane of codes, if it is as narrow as a small one: it is drawn and
+     * carried on faster. Edges and planes stay what they are. */
+    void (*take_tall)(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                      const struct ph_sides *sides);
+    void (*set_light)(const struct ph_plane_base *s, const struct ph_vertex *const v[3],
+                      struct ph_triangle *t);                                       /* planes.h: ph_set_light */
+    uint32_t (*draw_long)(const struct ph_triangle *t, const struct ph_band *band); /* raster_rows.h: ph_draw_long */
 };
 
 /* Of which corners a triangle takes the light. */

@@ -72,7 +72,8 @@ void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int
 /* Clip codes left and right, or top and bottom, of a vertex that cannot be projected. Its place on the screen, 256 (x
  * 2^focal_log2 / w) + centre, is compared with 0 and with size; both sides are multiplied by w. */
 PH_TIER(scenery)
-static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int32_t centre, int32_t size, uint8_t below)
+static PH_NOINLINE uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int32_t centre, int32_t size,
+                                      uint8_t below)
 {
     const int64_t at = (int64_t)((uint64_t)(int64_t)x << (lens->focal_log2 + 8)) + fx_mul_wide(centre, w);
     return (uint8_t)(at < 0 ? below : at > fx_mul_wide(size * 256, w) ? below * 2 : 0);
@@ -221,14 +222,18 @@ PH_TIER(mesh)
 uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
                            struct ph_vertex *vertices)
 {
-    const uint32_t n = mesh->vertex_count, half = n >= PH_SHARED_LEAST ? n / 2 : n;
+    return r->config.other_core != NULL && mesh->vertex_count >= PH_SHARED_LEAST
+               ? r->config.cores->transform_both(r, m, mesh, vertices)
+               : ph_transform_points(r, m, mesh->positions, mesh->vertex_count, vertices);
+}
+
+PH_TIER(mesh)
+uint32_t ph_transform_both(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
+                           struct ph_vertex *vertices)
+{
+    const uint32_t n = mesh->vertex_count, half = n / 2;
     struct part_of_mesh mine = {r, m, mesh->positions, mesh->positions + half, vertices, 0};
     struct part_of_mesh others = {r, m, mesh->positions + half, mesh->positions + n, vertices + half, 0};
-    if (half == n || r->config.other_core == NULL) {
-        mine.end = others.end;
-        transform_part(&mine);
-        return mine.codes;
-    }
     ph_run_both(r, transform_part, &mine, &others);
     return mine.codes | others.codes;
 }

@@ -47,4 +47,8 @@ uint32_t ph_transform_points(const struct ph_renderer *r, const struct ph_clip_m
 uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
                            struct ph_vertex *vertices);
 
+/* Does what ph_transform_mesh does, on two cores. Only a renderer with two cores names it. */
+uint32_t ph_transform_both(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
+                           struct ph_vertex *vertices);
+
 #endif
