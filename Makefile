@@ -93,7 +93,7 @@ $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DI
 # host-sim has one room a program, and common/ and controllers/ for all; a program's main() is in its pinhole_*.c.
 MAINS := $(wildcard host-sim/*/pinhole_*.c)
 ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
-HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/formats model/gltf model/$(ASSIMP) model/$(MESHOPT) picture/$(PNG) picture/$(JPEG) picture/$(WEBP) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
+HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/formats model/gltf model/$(ASSIMP) model/$(MESHOPT) picture/$(PNG) picture/$(JPEG) picture/$(WEBP) picture/$(GIF) sim/$(SDL) flash/$(USB)))
 # emulate/ has a room a chip. Those of the RP2040 and RP2350 are programs; what chips take as accesses to their registers is for tests, too.
 REGISTERS := $(wildcard host-sim/emulate/registers/registers.c)
 HOST := $(filter-out $(MAINS),$(HOST)) $(REGISTERS) $(wildcard host-sim/emulate/*/registers_table.c host-sim/emulate/*/emulate_*.c)

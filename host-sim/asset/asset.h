@@ -6,8 +6,6 @@
  *   asset_demo(&asset)                     the demo that the written file defines
  *   asset_write(file, &asset)              that file, in C
  *   asset_scene(&asset, bytes)             the same as a binary scene
- *
- * Ordering is meshoptimizer's: meshopt/ has it, nomeshopt/ does without; the Makefile picks.
  */
 #ifndef ASSET_H
 #define ASSET_H

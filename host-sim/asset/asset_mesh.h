@@ -1,5 +1,4 @@
-/* asset_mesh: the parts of asset.h: order, simplification, motion, normals. meshopt/ orders with meshoptimizer, and
- * nomeshopt/ leaves the order as it is. */
+/* asset_mesh: the parts of asset.h: order, simplification, motion, normals. */
 #ifndef ASSET_MESH_H
 #define ASSET_MESH_H
 

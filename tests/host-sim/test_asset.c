@@ -8,8 +8,6 @@
 #include "model_files.h"
 #include "sim_player.h"
 
-#include <meshoptimizer.h>
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -250,7 +248,7 @@ static void ordering_changes_no_triangle(void **state)
     model_close(model);
 }
 
-/* Counted as meshoptimizer does not: vertices that are not among the last 16 different ones fetched. */
+/* Counted in another way than asset_reuse does: vertices that are not among the last 16 different ones fetched. */
 static double fetches(const struct ph_mesh *mesh)
 {
     uint32_t *fetched_at = calloc(mesh->vertex_count, sizeof *fetched_at), count = 0;

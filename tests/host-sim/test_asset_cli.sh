@@ -282,26 +282,22 @@ short "the simulator shows what the kit has room for" the_simulator_shows_what_t
 short "compiled_scene_draws_the_simulators_bytes_and_those_of_the_model" same_frames "$scene" 4294967295 pico-display
 long "... on other boards, too" same_frames "$scene" 4294967295 waveshare-pico-lcd-1in3 lm3s6965evb sim-ili9488
 long "compiled_turntable_draws_the_simulators_bytes_and_those_of_the_model" sphere_frames "$dir/sphere.obj" 4294967295 rpi-waveshare-1in3 rpi-mini-pitft-1in14
-if [ -e /usr/include/meshoptimizer.h ]; then
-    if command -v node >/dev/null; then
-        long "fifty thousand nodes take seconds" many_nodes_take_seconds
-        long "twenty thousand colours take seconds" colours_of_their_own_take_seconds
-    else
-        skip "fifty thousand nodes take seconds" "no node: apt-get install nodejs"
-    fi
-    long "simplified_scene_draws_the_simulators_bytes" same_frames "$dir/sphere.obj" 500 pico-display waveshare-pico-lcd-0in96
-    short "a simplified animation draws the simulator's bytes" same_frames "$moving" 36 pico-display
-    long "simplified_scene_is_close_to_the_model" close_to_the_model
-    short "frames_move" frames_move
-    short "other_data_is_seen" other_data_is_seen
-    short "output_is_deterministic" output_is_deterministic
-    short "too_large_for_the_board_says_what_to_do" too_large_for_the_board_says_what_to_do
-    short "what does not fit is reported, and refused" what_does_not_fit_is_reported
-    short "what_it_says_to_do_works" as_said
-    short "little_room_gets_no_platter" little_room_gets_no_platter
+if command -v node >/dev/null; then
+    long "fifty thousand nodes take seconds" many_nodes_take_seconds
+    long "twenty thousand colours take seconds" colours_of_their_own_take_seconds
 else
-    skip "simplified_scene_draws_the_simulators_bytes" "no meshoptimizer: apt-get install libmeshoptimizer-dev"
+    skip "fifty thousand nodes take seconds" "no node: apt-get install nodejs"
 fi
+long "simplified_scene_draws_the_simulators_bytes" same_frames "$dir/sphere.obj" 500 pico-display waveshare-pico-lcd-0in96
+short "a simplified animation draws the simulator's bytes" same_frames "$moving" 36 pico-display
+long "simplified_scene_is_close_to_the_model" close_to_the_model
+short "frames_move" frames_move
+short "other_data_is_seen" other_data_is_seen
+short "output_is_deterministic" output_is_deterministic
+short "too_large_for_the_board_says_what_to_do" too_large_for_the_board_says_what_to_do
+short "what does not fit is reported, and refused" what_does_not_fit_is_reported
+short "what_it_says_to_do_works" as_said
+short "little_room_gets_no_platter" little_room_gets_no_platter
 short "clang_and_arm_gcc_compile_it_and_its_size_is_as_reported" clang_and_arm_compile_it "$scene"
 long "so they do with an animation" clang_and_arm_compile_it "$moving"
 short "a clip is played by its name in every form" clips_are_played_by_name

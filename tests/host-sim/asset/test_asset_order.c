@@ -6,7 +6,6 @@
 
 #include "asset_mesh.h"
 
-#include <meshoptimizer.h> /* tests/run.sh skips this program where the library is not installed */
 #include <stdlib.h>
 #include <string.h>
 
