@@ -2,16 +2,22 @@
 #include "page.h"
 
 #include "boards.h"
+#include "complain.h"
 #include "crc32.h"
+#include "scene_file.h"
 #include "sim_list.h"
 #include "sim_model.h"
 #include "sim_player.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 struct page {
     struct sim_virtual virtual_board;
     struct sim_player player; /* setup.board NULL: none is open */
+    uint8_t *scene;           /* the binary scene, or NULL */
+    uint32_t scene_bytes;
+    struct demo scene_demo;
 };
 
 static struct page page;
@@ -26,22 +32,48 @@ void page_list(void)
     fflush(stdout);
 }
 
-int page_open(int board, unsigned width, unsigned height, unsigned demo, unsigned view, unsigned depth)
+static void close_kit(void)
 {
     if (page.player.setup.board != NULL) {
         sim_player_close(&page.player);
         page.player.setup.board = NULL;
     }
+}
+
+uint8_t *page_scene_room(uint32_t n)
+{
+    close_kit();
+    free(page.scene);
+    page.scene = malloc(n);
+    page.scene_bytes = n;
+    return page.scene;
+}
+
+int page_scene(void)
+{
+    const char *const why = scene_file_wrong(page.scene, page.scene_bytes);
+    if (why != NULL) {
+        return complain("the scene %s", why);
+    }
+    page.scene_demo = scene_file_demo(page.scene);
+    return 0;
+}
+
+int page_open(int board, unsigned width, unsigned height, int demo, unsigned view, unsigned depth)
+{
+    close_kit();
     if (board < 0 && sim_virtual(&page.virtual_board, (uint16_t)width, (uint16_t)height) != 0) {
         return HAL_EINVAL;
     }
     const struct board *const kit = board < 0 ? &page.virtual_board.board : board_list[board];
-    const struct demo *const scene = demo_list[demo];
+    const struct demo *const scene = demo < 0 ? &page.scene_demo : demo_list[demo];
     const struct sim_player_setup setup = {.board = kit,
                                            .rotation = kit->rotation,
                                            .band_height = kit->band_height,
                                            .depth = {.format = ph_depth_formats[depth]},
                                            .demo = scene,
+                                           .state = demo < 0 ? page.scene : NULL,
+                                           .cure = demo < 0 ? "take fewer triangles" : NULL,
                                            .view = scene->views != NULL ? scene->views[view] : NULL};
     return sim_player_open(&page.player, &setup);
 }

@@ -13,9 +13,16 @@
 /* Prints what --list --json prints, and behind it an array of the depth formats' names. */
 PAGE_EXPORT void page_list(void);
 
-/* Opens a kit with its power on, or with board -1 a glass of this size, in place of the one before. 0, or another
- * number and a message. */
-PAGE_EXPORT int page_open(int board, unsigned width, unsigned height, unsigned demo, unsigned view, unsigned depth);
+/* Returns 8-byte aligned memory for a binary scene of n bytes (scene_file.h), in place of the one before; no kit is
+ * open then. NULL: there is none. */
+PAGE_EXPORT uint8_t *page_scene_room(uint32_t n);
+
+/* Takes the scene that was written there. 0, or another number and a message. */
+PAGE_EXPORT int page_scene(void);
+
+/* Opens a kit with its power on, or with board -1 a glass of this size, in place of the one before. Demo -1
+ * is the binary scene. 0, or another number and a message. */
+PAGE_EXPORT int page_open(int board, unsigned width, unsigned height, int demo, unsigned view, unsigned depth);
 
 /* Draws a frame while these buttons (enum hal_button) are held, and sends it to the glass. 0, or another number and a
  * message. */

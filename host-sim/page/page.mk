@@ -1,31 +1,45 @@
-# The simulator in a browser. The Makefile includes this file.
+# The simulator and the asset tool in a browser. The Makefile includes this file.
 #
 #   make page                      build/page/index.html: one file, which needs no server and asks for nothing
 #
-# Another make compiles the simulator's sources to wasm32, in a build folder of its own.
+# Another make compiles their sources to wasm32, in a build folder of its own, into two modules: page.wasm draws, and
+# model.wasm reads models and writes scenes.
 PAGE := host-sim/page
 PAGE_HOST := $(wildcard host-sim/controllers/sim*.c host-sim/controllers/*_table.c) \
-             $(patsubst %,host-sim/common/%.c,complain json_text option_text) $(PAGE)/progress.c host-sim/sim/sim_list.c host-sim/sim/sim_player.c
+             $(patsubst %,host-sim/common/%.c,complain json_text nearest option_text) $(PAGE)/progress.c host-sim/sim/sim_list.c host-sim/sim/sim_player.c \
+             $(filter-out %/model_open.c %/model_folder.c,$(wildcard host-sim/model/*.c host-sim/model/formats/*.c host-sim/model/gltf/*.c)) \
+             $(filter-out %/pinhole_asset.c %/asset_check.c %/asset_options.c,$(wildcard host-sim/asset/*.c)) host-sim/picture/picture_in.c
 PAGE_CC := clang --target=wasm32-wasi -fvisibility=hidden -D_WASI_EMULATED_SIGNAL
+PAGE_NEEDS := clang lld wasi-libc libclang-rt-dev-wasm32 libstb-dev
 
 .PHONY: page FORCE
-page: $(B)/page/index.html ## the simulator as one HTML file for any browser: build/page/index.html
+page: $(B)/page/index.html ## simulator and asset tool as one HTML file for any browser: build/page/index.html
 
-# The scripts in the order in which they stand in the page.
-PAGE_SCRIPTS := $(patsubst %,$(PAGE)/page_%.mjs,core address buttons glass player kit tabs main)
-$(B)/page/index.html: $(B)/wasm/page.wasm $(PAGE)/page.sh $(PAGE)/page.html $(PAGE)/page.css $(PAGE_SCRIPTS)
+# The scripts in the order in which they stand in the page, and in its worker.
+PAGE_SCRIPTS := $(patsubst %,$(PAGE)/page_%.mjs,wasi core address buttons glass player facts kit files reader boards model tabs main)
+PAGE_WORKER := $(patsubst %,$(PAGE)/page_%.mjs,wasi worker)
+PAGE_WASM := $(B)/wasm/page.wasm $(B)/wasm/model.wasm
+$(B)/page/index.html: $(PAGE_WASM) $(addprefix $(PAGE)/page.,sh html css) $(PAGE_SCRIPTS) $(PAGE_WORKER)
 	@mkdir -p $(@D)
-	$(Q)$(PAGE)/page.sh $(PAGE)/page.html $(PAGE)/page.css '$<' $(PAGE_SCRIPTS) >$@.part && mv $@.part $@
+	$(Q)$(PAGE)/page.sh $(PAGE)/page.html style=$(PAGE)/page.css wasm='$(B)/wasm/page.wasm' model_wasm='$(B)/wasm/model.wasm' \
+	    modules='$(PAGE_SCRIPTS)' worker='$(PAGE_WORKER)' >$@.part && mv $@.part $@
 	@echo '$@: '$$(wc -c <$@) bytes
 
-$(B)/wasm/page.wasm: FORCE
-	@echo 'int main(void) { return 0; }' | $(PAGE_CC) -x c - -o /dev/null 2>/dev/null || \
-	    { echo 'make page: no compiler for WebAssembly here: apt-get install clang lld wasi-libc libclang-rt-dev-wasm32' >&2; exit 1; }
-	+$(Q)$(MAKE) --no-print-directory B='$(B)/wasm' CC='$(PAGE_CC)' AR=llvm-ar CPU=portable CFLAGS=-O2 HOST='$(PAGE_HOST)' '$(B)/wasm/page.wasm'
+$(PAGE_WASM) &: FORCE
+	@echo 'int main(void) { return 0; }' | $(PAGE_CC) -x c - -o /dev/null 2>/dev/null && test -e /usr/include/stb/stb_image.h || \
+	    { echo 'make page: no compiler for WebAssembly here, or no stb_image: apt-get install $(PAGE_NEEDS)' >&2; exit 1; }
+	+$(Q)$(MAKE) --no-print-directory B='$(B)/wasm' CC='$(PAGE_CC)' AR=llvm-ar CPU=portable CFLAGS=-O2 HOST='$(PAGE_HOST)' \
+	    '$(B)/wasm/page.wasm' '$(B)/wasm/model.wasm'
 
+page_link = $(SAY) LD $@; $(CC) $(CFLAGS) -mexec-model=reactor -Wl,--export-dynamic,--strip-all,-z,stack-size=$(1) $(filter %.o %.a,$^) -o $@
 $(B)/page.wasm: $(B)/$(PAGE)/page.o $(LIBS)
-	$(SAY) LD $@
-	$(Q)$(CC) $(CFLAGS) -mexec-model=reactor -Wl,--export-dynamic,--strip-all,-z,stack-size=262144 $^ -o $@.part && mv $@.part $@
+	$(Q)$(call page_link,262144)
 
-$(B)/$(PAGE)/%.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers)
--include $(B)/$(PAGE)/page.d
+# A hostile model may ask for memory: 1.5 GiB are the most that the module gets.
+PAGE_MODEL_O := $(call objects,$(wildcard $(PAGE)/model/*.c))
+$(B)/model.wasm: $(PAGE_MODEL_O) $(LIBS)
+	$(Q)$(call page_link,4194304) -Wl,--max-memory=1610612736
+
+$(B)/$(PAGE)/page.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers)
+$(B)/$(PAGE)/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model model/gltf asset) -isystem /usr/include/stb
+-include $(B)/$(PAGE)/page.d $(PAGE_MODEL_O:.o=.d)

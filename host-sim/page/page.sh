@@ -1,15 +1,21 @@
 #!/bin/sh
-# Usage: host-sim/page/page.sh PAGE.html STYLE.css MODULE.wasm SCRIPT.mjs...
-# Prints the page as one file. Its template has a line for each of the parts: @style@, @wasm@, @modules@. The scripts share
-# one scope, so their imports go away; each comes after those that it imports.
+# Usage: host-sim/page/page.sh PAGE.html NAME='FILE...'...
+# Prints the page as one file. In place of each line @NAME@ of its template stand these files: modules of WebAssembly as
+# base64. Scripts share one scope, so their imports go away; each comes after those that it imports.
 set -eu
-page=$1 style=$2 wasm=$3
-shift 3
+page=$1
+shift
 while IFS= read -r line; do
-    case $line in
-    @style@) cat "$style" ;;
-    @wasm@) base64 -w 0 "$wasm" && echo ;;
-    @modules@) for script; do sed -e '/^import /d' -e 's/^export //' "$script"; done ;;
-    *) printf '%s\n' "$line" ;;
-    esac
+    files=
+    for part; do
+        [ "$line" != "@${part%%=*}@" ] || files=${part#*=}
+    done
+    [ "$files" ] || printf '%s\n' "$line"
+    for file in $files; do
+        case $file in
+        *.wasm) base64 -w 0 "$file" && echo ;;
+        *.mjs) sed -e '/^import /d' -e 's/^export //' "$file" ;;
+        *) cat "$file" ;;
+        esac
+    done
 done <"$page"

@@ -1,40 +1,11 @@
 // core: the simulator's module (page.h) as functions of JavaScript.
 
-// The four calls of WASI that the C library makes: what is printed is kept until it is taken, and files there are none.
-function printer(memory) {
-    const printed = ['', '', ''];
-    const text = new TextDecoder();
-    const wasi = {
-        fd_write(file, list, count, written) {
-            const view = new DataView(memory().buffer);
-            let bytes = 0;
-            for (let i = 0; i < count; i++) {
-                const at = view.getUint32(list + 8 * i, true), size = view.getUint32(list + 8 * i + 4, true);
-                printed[file] += text.decode(new Uint8Array(memory().buffer, at, size));
-                bytes += size;
-            }
-            view.setUint32(written, bytes, true);
-            return 0;
-        },
-        fd_fdstat_get(file, to) {
-            new Uint8Array(memory().buffer, to, 24).fill(0)[0] = 2; // a character device
-            return 0;
-        },
-        fd_seek: () => 70, // ESPIPE
-        fd_close: () => 0,
-    };
-    const take = (file) => {
-        const all = printed[file];
-        printed[file] = '';
-        return all;
-    };
-    return { wasi, take };
-}
+import { makeWasi } from './page_wasi.mjs';
 
 // Returns the lists of the simulator, and its calls. `messages` are lines that a program would print on stderr.
 export async function startCore(bytes) {
     let calls = null;
-    const { wasi, take } = printer(() => calls.memory);
+    const { wasi, take } = makeWasi(() => calls.memory);
     const module = await WebAssembly.instantiate(bytes, { wasi_snapshot_preview1: wasi });
     calls = module.instance.exports;
     calls._initialize();
@@ -49,6 +20,15 @@ export async function startCore(bytes) {
         // board, demo, view and depth are indices of the lists; without a board it is a glass of width x height pixels.
         open({ board = -1, width = 240, height = 240, demo, view = 0, depth = 0 }) {
             return calls.page_open(board, width, height, demo, view, depth) === 0;
+        },
+        // Takes a binary scene, which demo number -1 shows from then on. Returns '' or what is wrong.
+        scene(bytes) {
+            const at = calls.page_scene_room(bytes.length); // the memory may have another buffer then
+            if (at === 0) {
+                return 'not enough memory for the scene';
+            }
+            new Uint8Array(calls.memory.buffer, at, bytes.length).set(bytes);
+            return calls.page_scene() === 0 ? '' : take(2).trim();
         },
         frame: (number, buttons = 0) => calls.page_frame(number, buttons) === 0,
         drag: (right, down, notches) => calls.page_drag(right, down, notches),

@@ -1,37 +1,9 @@
 // kit: the tab in which a demo runs on a kit.
 import { readAddress, writeAddress } from './page_address.mjs';
 import { watchButtons } from './page_buttons.mjs';
+import { at, fill, showFacts } from './page_facts.mjs';
 import { makeGlass } from './page_glass.mjs';
 import { makePlayer } from './page_player.mjs';
-
-const at = (id) => document.getElementById(id);
-const count = (n) => n.toLocaleString('en');
-
-function fill(select, texts) {
-    select.replaceChildren(...texts.map((text, i) => new Option(text, i)));
-}
-
-// Shows the cost of a frame: the numbers of --stats. The bus is the kit's, so its time is that of the board's clock.
-function showFacts(list, stats, crc, rate) {
-    const facts = [
-        ['crc32', crc],
-        ['on the wire', `${count(stats.wire_bytes)} bytes`],
-        ['time on the bus', `${(stats.bus_us / 1000).toFixed(2)} ms`],
-        ['clock of the bus', `${+(stats.clock_hz / 1e6).toFixed(2)} MHz`],
-        ['the bus allows', `${stats.fps.toFixed(1)} frames/s`],
-        ['this page draws', rate > 0 ? `${rate.toFixed(1)} frames/s` : '-'],
-        ['triangles drawn', `${count(stats.triangles_drawn)} of ${count(stats.triangles_in)}`],
-        ['left out', count(stats.triangles_dropped)],
-        ['depth', stats.depth],
-    ];
-    list.replaceChildren(...facts.flatMap(([name, value]) => {
-        const dt = document.createElement('dt'), dd = document.createElement('dd');
-        dt.textContent = name;
-        dd.textContent = value;
-        dd.dataset.name = name;
-        return [dt, dd];
-    }));
-}
 
 export function openKit(core) {
     let state = null, shown = -1, rate = 0, opened = false; // shown: the frame on the glass
@@ -153,6 +125,7 @@ export function openKit(core) {
         navigator.clipboard.writeText(location.href).then(() => say('the link is in the clipboard'),
             () => say('the link is in the address bar'));
     });
+    at('kit').addEventListener('leave', () => player.isPlaying() && player.pause());
     const follow = () => {
         const { wrong, frame, ...kit } = readAddress(location.hash, core);
         state = { ...kit, frame: Math.max(0, frame) };

@@ -1,15 +1,17 @@
-// main: starts the module that stands in the page, and opens the tabs.
+// main: starts the modules that stand in the page, and opens the tabs.
 import { startCore } from './page_core.mjs';
 import { openKit } from './page_kit.mjs';
+import { openModelTab } from './page_model.mjs';
 import { showTabs } from './page_tabs.mjs';
 
-const tabs = [{ id: 'kit', title: 'Kit', open: openKit }];
+const moduleOf = (id) => Uint8Array.from(atob(document.getElementById(id).textContent.trim()), (letter) => letter.charCodeAt(0));
 
 try {
-    const wasm = atob(document.getElementById('wasm').textContent.trim());
-    const core = await startCore(Uint8Array.from(wasm, (letter) => letter.charCodeAt(0)));
-    tabs.forEach((tab) => tab.open(core));
-    showTabs(document.getElementById('tabs'), tabs);
+    const wasm = moduleOf('wasm');
+    const core = await startCore(wasm);
+    openKit(core);
+    openModelTab(core, () => startCore(wasm), () => moduleOf('model_wasm'));
+    showTabs(document.getElementById('tabs'), [{ id: 'kit', title: 'Kit' }, { id: 'model', title: 'Model' }]);
 } catch (error) {
     const said = document.getElementById('said');
     said.textContent = `the simulator does not start: ${error.message}`;

@@ -11,6 +11,9 @@ export function showTabs(nav, tabs) {
         return button;
     });
     const take = (chosen) => buttons.forEach((button, i) => {
+        if (i !== chosen && !sections[i].hidden) {
+            sections[i].dispatchEvent(new Event('leave'));
+        }
         button.setAttribute('aria-selected', i === chosen);
         button.tabIndex = i === chosen ? 0 : -1;
         sections[i].hidden = i !== chosen;

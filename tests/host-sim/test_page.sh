@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
 export B=${B:-build}
 command -v node >/dev/null || { echo "no node: apt-get install nodejs" && exit 77; }
-made=$(make -s B="$B" page "$B/pinhole-sim" 2>&1) || { echo "$made" && [[ $made = *'no compiler for WebAssembly'* ]] && exit 77 || exit 1; }
+made=$(make -s B="$B" page "$B/pinhole-sim" "$B/pinhole-asset" 2>&1) || { echo "$made" && [[ $made = *'no compiler for WebAssembly'* ]] && exit 77 || exit 1; }
 try=$(mktemp -d) || exit 1
 trap 'rm -rf "$try"' EXIT
 
@@ -30,6 +30,7 @@ if lacks=$(tests/host-sim/page/browser.sh --lacks); then
     printf '5 right 1\n' >"$try/keys"
     "$simulator" --demo turntable --board pico-display --start 5 --keys "$try/keys" --crc | sed 's/.* //' >"$try/keys.crc"
     "$simulator" --demo turntable --size 320x240 --start 11 --crc | sed 's/.* //' >"$try/size.crc"
+    check "models, and what the tools make of them" tests/host-sim/page/models.sh "$try"
     check "the page works in Chromium" tests/host-sim/page/browser.sh "$try" waveshare-rp2040-lcd-1in28
     check "... and the picture that it saved is the simulator's" \
         "$simulator" --demo solar --view moon --depth fixed24 --board waveshare-rp2040-lcd-1in28 --start 7 --check "$try/saved.png"

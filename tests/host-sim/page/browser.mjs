@@ -1,6 +1,6 @@
 // Usage: node browser.mjs NODE_MODULES PAGE.html EXPECTED [FOLDER]
 // Opens the page in Debian's Chromium and compares what its canvas shows: EXPECTED has lines `board demo frame crc32`. With
-// a folder the page's use is tried, too (use.mjs): FOLDER/keys.crc and size.crc have what pinhole-sim draws with --keys and --size, and the
+// a folder the page's use is tried, too (use.mjs, use_model.mjs): FOLDER/keys.crc and size.crc have what pinhole-sim draws with --keys and --size, and the
 // pictures that are saved go there. Speaks TAP.
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -8,6 +8,7 @@ import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { use } from './use.mjs';
+import { useModel } from './use_model.mjs';
 
 const [modules, page_file, expected, folder] = process.argv.slice(2);
 const { chromium } = createRequire(resolve(modules) + '/')('playwright-core');
@@ -106,6 +107,7 @@ try {
     }
     if (folder !== undefined) {
         await use({ browser, open, check, folder });
+        await useModel({ browser, open, check, folder });
         const server = createServer((request, answer) => {
             if (request.url !== '/kit/') {
                 wrong.push(`asks the host for ${request.url}`);
