@@ -27,7 +27,7 @@ fi
 # the processor time that they took.
 slow_units='test_panel_diff test_ft232h test_runner test_quality test_depth_slopes test_depth_planes'
 slow_sanitized="$slow_units test_cores test_fisheye test_wire test_depth_mpfr test_levels test_watertight"
-slow_sanitized+=' test_depth test_demos test_ahead test_depth_mesa test_fx_math test_shadow test_panel_tiles'
+slow_sanitized+=' test_depth test_demos test_gif_out test_ahead test_depth_mesa test_fx_math test_shadow test_panel_tiles'
 unit_tests='tests/*/test_*.c tests/*/*/test_*.c'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.

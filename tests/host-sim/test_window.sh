@@ -81,6 +81,22 @@ END
     cc "$dir/close.c" -lX11 -o "$dir/close" && start && "$dir/close" "$id" && ended
 }
 
+titled() { [[ $(xdotool getwindowname "$id") = "turntable - "*", 320x240$1" ]]; } # what follows the size
+
+it_pauses_steps_and_saves() {
+    (cd "$dir" && start --demo turntable && xdotool key p && patiently titled ' - paused' &&
+        xdotool key s && patiently saved 1 && xdotool key n && xdotool key s && patiently saved 2 && xdotool key p && patiently titled '' &&
+        xdotool key Escape && ended) || return 1
+    local file frame
+    for file in "$dir"/pinhole-turntable-*.png; do # one frame, and the next
+        frame=$(sed 's/.*-0*\([0-9][0-9]*\)\.png/\1/' <<<"$file")
+        "$sim" "${kit[@]}" --demo turntable --start "$frame" --check "$file" || return 1
+        echo "$frame"
+    done | xargs | awk '{ exit !($2 == $1 + 1) }'
+}
+
+saved() { [ "$(grep -c 'pinhole-turntable-[0-9]*.png is saved$' "$dir/stderr")" = "$1" ]; } # pictures
+
 a_signal_ends_it() {
     start && kill "$pid"
     ended
@@ -215,7 +231,7 @@ without_sdl2_it_says_what_to_install() { # nosdl's window comes before the libra
         "$dir/nosdl" --crc --size 8x8
 }
 
-tests=(it_shows_the_glass_scaled_by_two escape_ends_it closing_it_ends_it a_signal_ends_it a_signal_keeps_the_gif select_takes_the_next_demo
+tests=(it_shows_the_glass_scaled_by_two it_pauses_steps_and_saves escape_ends_it closing_it_ends_it a_signal_ends_it a_signal_keeps_the_gif select_takes_the_next_demo
     the_mouse_turns_and_the_wheel_moves the_mouse_lifts_the_camera without_a_kit_the_glass_follows_the_window a_kit_keeps_its_glass a_small_window_shows_all_of_the_glass frames_limit_it it_keeps_the_rate_of_the_bus)
 
 check without_sdl2_it_says_what_to_install without_sdl2_it_says_what_to_install

@@ -218,6 +218,7 @@ uint32_t ph_transform_points(const struct ph_renderer *r, const struct ph_clip_m
     return part.codes;
 }
 
+#ifndef PH_PROFILE_SMALL /* which has one core */
 PH_TIER(mesh)
 uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
                            struct ph_vertex *vertices)
@@ -237,3 +238,4 @@ uint32_t ph_transform_both(const struct ph_renderer *r, const struct ph_clip_mat
     ph_run_both(r, transform_part, &mine, &others);
     return mine.codes | others.codes;
 }
+#endif

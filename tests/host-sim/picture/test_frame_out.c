@@ -181,8 +181,8 @@ static void a_gif_is_written_at_the_end(void **state)
     assert_int_not_equal(access("a.gif", F_OK), 0);
     assert_int_equal(frame_out_close(&out, COMPLAINED), COMPLAINED); /* it failed: none */
     assert_int_not_equal(access("a.gif", F_OK), 0);
-    assert_int_equal(open_out(&out, "a.gif", true, 9, NULL), 0);
     out.scale = 3;
+    assert_int_equal(frame_out_open(&out, "a.gif", true, 9), 0);
     assert_int_equal(frame_out_put(&out, 0, &picture), 0);
     assert_int_equal(frame_out_close(&out, 0), 0);
     FILE *const file = fopen("a.gif", "rb");
