@@ -89,7 +89,7 @@ it_pauses_steps_and_saves() {
         xdotool key Escape && ended) || return 1
     local file frame
     for file in "$dir"/pinhole-turntable-*.png; do # one frame, and the next
-        frame=$(sed 's/.*-0*\([0-9][0-9]*\)\.png/\1/' <<<"$file")
+        frame=${file##*-} && frame=$((10#${frame%.png}))
         "$sim" "${kit[@]}" --demo turntable --start "$frame" --check "$file" || return 1
         echo "$frame"
     done | xargs | awk '{ exit !($2 == $1 + 1) }'
