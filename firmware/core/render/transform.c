@@ -1,12 +1,11 @@
 /*
  * Vertices: one matrix for each mesh, the divide by w, clip codes. See transform.h.
  *
- * ph_vertices of vertices.h does thisfor vertices of a perspective that lie in front of the eye, in the guard
+ * ph_vertices of vertices.h does this for vertices of a perspective that lie in front of the eye, in the guard
  * band and nearer than 4096.0; place_vertex here does it for all others.
  */
 #include "transform.h"
 
-#include "cores.h"
 #include "fisheye.h"
 #include "vertices.h"
 
@@ -160,15 +159,6 @@ struct ph_clip_vertex ph_clip_place(const struct ph_lens *lens, const struct ph_
     return (struct ph_clip_vertex){.x = x, .y = y, .w = w, .z = z};
 }
 
-/* Vertices that one core transforms. */
-struct part_of_mesh {
-    const struct ph_renderer *r;
-    const struct ph_clip_matrix *m;
-    const struct fx_vec3 *from, *end;
-    struct ph_vertex *to;
-    uint32_t codes;
-};
-
 /* The place of the next vertex in clip coordinates. fast: ph_vertices has stopped at it, and has computed its
  * place. */
 PH_TIER(scenery)
@@ -181,15 +171,14 @@ static PH_NOINLINE struct fx_vec3 before_divide(const struct ph_vertex_run *run,
     return fast ? run->at : ph_matvec_near(&run->matvec, run->from);
 }
 
-PH_TIER(mesh) static void transform_part(void *argument) /* called as run */
+PH_TIER(mesh)
+uint32_t ph_transform_points(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *points,
+                             uint32_t n, struct ph_vertex *vertices)
 {
-    struct part_of_mesh *const p = argument;
-    const struct ph_renderer *const r = p->r;
-    const struct ph_clip_matrix *const m = p->m;
     struct ph_vertex_run run;
-    run.from = p->from;
-    run.end = p->end;
-    run.to = p->to;
+    run.from = points;
+    run.end = points + n;
+    run.to = vertices;
     run.codes = 0;
     const bool fast = start_run(&run, r, m);
     while (run.from < run.end) {
@@ -206,36 +195,5 @@ PH_TIER(mesh) static void transform_part(void *argument) /* called as run */
         run.from++;
         run.to++;
     }
-    p->codes = run.codes;
+    return run.codes;
 }
-
-PH_TIER(mesh)
-uint32_t ph_transform_points(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *points,
-                             uint32_t n, struct ph_vertex *vertices)
-{
-    struct part_of_mesh part = {r, m, points, points + n, vertices, 0};
-    transform_part(&part);
-    return part.codes;
-}
-
-#ifndef PH_PROFILE_SMALL /* which has one core */
-PH_TIER(mesh)
-uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
-                           struct ph_vertex *vertices)
-{
-    return r->config.other_core != NULL && mesh->vertex_count >= PH_SHARED_LEAST
-               ? r->config.cores->transform_both(r, m, mesh, vertices)
-               : ph_transform_points(r, m, mesh->positions, mesh->vertex_count, vertices);
-}
-
-PH_TIER(mesh)
-uint32_t ph_transform_both(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
-                           struct ph_vertex *vertices)
-{
-    const uint32_t n = mesh->vertex_count, half = n / 2;
-    struct part_of_mesh mine = {r, m, mesh->positions, mesh->positions + half, vertices, 0};
-    struct part_of_mesh others = {r, m, mesh->positions + half, mesh->positions + n, vertices + half, 0};
-    ph_run_both(r, transform_part, &mine, &others);
-    return mine.codes | others.codes;
-}
-#endif

@@ -95,7 +95,7 @@ static void print_boards(void)
     fputs("]", stdout);
 }
 
-int page_model_report(void)
+void page_model_report(void)
 {
     const struct asset *const a = &page.asset;
     printf("{\"name\": \"%s\", \"read\": %u, \"triangles\": %u, \"error\": %.6f, \"simplified\": %s, \"bare\": %s, "
@@ -113,7 +113,6 @@ int page_model_report(void)
     print_boards();
     puts("}");
     fflush(stdout);
-    return 0;
 }
 
 void page_model_c(void)

@@ -32,9 +32,8 @@ PAGE_EXPORT uint32_t page_model_make(uint32_t board, uint32_t triangles, unsigne
 /* Returns those bytes; they stay until the next scene is made. */
 PAGE_EXPORT const uint8_t *page_model_scene(void);
 
-/* Prints on stdout what the scene is, and what it needs of flash and of each board's memory, as an object of JSON. 0 or
- * a message. */
-PAGE_EXPORT int page_model_report(void);
+/* Prints on stdout what the scene is, and what it needs of flash and of each board's memory, as an object of JSON. */
+PAGE_EXPORT void page_model_report(void);
 
 /* Prints the scene as C on stdout. */
 PAGE_EXPORT void page_model_c(void);
