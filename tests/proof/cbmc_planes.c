@@ -1,6 +1,7 @@
 /* Planes: no overflow and no bad shift in any of its functions, from any vertices of set-up. See proof.h. */
 #include "proof_render.h"
 
+#include "../../firmware/core/render/knee.c"
 #include "../../firmware/core/render/planes.c"
 
 /* Twice the area of a triangle whose corners are in reach. It is linear in each coordinate, so it is largest where each

@@ -1,6 +1,7 @@
 /* The depth formats, out of their only list: PH_DEPTH_EACH in render.h. See depth_ways.h. */
 #include "exact.h"
 #include "kernels.h"
+#include "knee.h"
 #include "lens.h"
 #include "planes.h"
 #include "raster_rows.h"

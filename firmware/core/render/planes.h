@@ -35,16 +35,6 @@ uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *con
 /* The depth code of what keeps its distance, which is 1 or more; bias: codes, as in a material. */
 uint32_t ph_depth_code(const struct ph_renderer *r, struct ph_quotient quotient, uint32_t bias);
 
-/* Whether the plane of ph_setup_small is exact enough for depths (units of 2^-(32 + block)) across octaves. Two octaves
- * at most; and its gradients are off by up to 2^8 units a pixel. Over 16 columns and rows, in octave `far`, these are
- * 2^(far - down - 3) codes: half a code, or one in the octave beside it, up to far = down + 2. Beyond, near the far
- * plane, they are many. */
-bool ph_small_plane_does(const uint32_t d[3], int block);
-
-/* Makes a small triangle that crosses from one octave into the next one of PH_KIND_SMALL_KNEE, unless a pixel of it may
- * lie in a third one. d: the depth of its corners, in units of its block. */
-void ph_set_knee(struct ph_triangle *t, const uint32_t d[3]);
-
 /* The plane of 16.16 codes d. False if it is too steep for 32 bits. */
 bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
                     const uint32_t d[3]);

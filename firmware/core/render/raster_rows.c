@@ -31,7 +31,7 @@ void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d, 
 
 PH_TIER(loop) FX_APART void ph_skip_rows(struct ph_small_triangle *r, uint32_t n)
 {
-    ph_skip_rows_of(r, n, r->upper_rows, r->lower_rows);
+    ph_skip_rows_of(r, n);
 }
 
 PH_TIER(loop)

@@ -21,24 +21,23 @@ struct ph_place {
 };
 
 /* Steps n rows down, which are fewer than the upper ones. */
-static inline void ph_skip_upper_rows(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
+static inline void ph_skip_upper_rows(struct ph_small_triangle *r, uint32_t n)
 {
     r->left += n * r->left_dx;
     r->right += n * r->right_dx;
     r->d += n * r->d_dy;
     r->light += n * r->light_dy;
-    r->upper_rows = (uint16_t)(upper_rows - n);
-    r->lower_rows = (uint16_t)lower_rows;
+    r->upper_rows = (uint16_t)(r->upper_rows - n);
 }
 
-/* Steps n rows down, through both halves, which have so many rows. */
-static inline void ph_skip_rows_of(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
+/* Steps n rows down, through both halves. */
+static inline void ph_skip_rows_of(struct ph_small_triangle *r, uint32_t n)
 {
-    if (n < upper_rows) {
-        ph_skip_upper_rows(r, n, upper_rows, lower_rows);
+    if (n < r->upper_rows) {
+        ph_skip_upper_rows(r, n);
         return;
     }
-    const uint32_t below = n - upper_rows, dx = (uint32_t)r->lower.dx, x = (uint32_t)r->lower.x + below * dx;
+    const uint32_t below = n - r->upper_rows, dx = (uint32_t)r->lower.dx, x = (uint32_t)r->lower.x + below * dx;
     r->d += n * r->d_dy;
     r->light += n * r->light_dy;
     if (r->lower_is_right) {
@@ -50,7 +49,7 @@ static inline void ph_skip_rows_of(struct ph_small_triangle *r, uint32_t n, uint
         r->left = x;
         r->left_dx = dx;
     }
-    r->upper_rows = (uint16_t)(lower_rows - below);
+    r->upper_rows = (uint16_t)(r->lower_rows - below);
     r->lower_rows = 0;
 }
 

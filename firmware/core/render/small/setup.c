@@ -46,7 +46,7 @@ static uint32_t draw_rows(struct ph_small_triangle *r, int32_t y, const struct p
                                 r->light + r->glight * from, r->glight, r->ramp);
                 count += columns;
             }
-            ph_skip_upper_rows(r, 1, r->upper_rows, r->lower_rows);
+            ph_skip_upper_rows(r, 1);
             depth += stride;
             pixels += stride;
         }
@@ -58,7 +58,7 @@ static uint32_t draw_rows(struct ph_small_triangle *r, int32_t y, const struct p
 static uint32_t draw_small(struct ph_small_triangle *rows, int32_t y, const struct ph_band *band)
 {
     if (y < band->y0) {
-        ph_skip_rows_of(rows, (uint32_t)(band->y0 - y), rows->upper_rows, rows->lower_rows);
+        ph_skip_rows_of(rows, (uint32_t)(band->y0 - y));
     }
     const int32_t from = ph_max(y, band->y0);
     const uint32_t left = (uint32_t)(band->y1 - from);

@@ -3,4 +3,5 @@
 #include "../check.c"
 #include "../colour.c"
 #include "../depth.c"
+#include "../knee.c"
 #include "../transform.c"
