@@ -41,6 +41,7 @@ export MALLOC_PERTURB_=165 # memory that a program forgets to set is never 0 (gl
 export LSAN_OPTIONS=suppressions=$PWD/tests/tools/leaks.suppress:print_suppressions=0
 export limit_s=${TEST_TIMEOUT:-$limit_s} results=$B/log/$mode.results running=$B/log/running
 sanitize='-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all'
+! command -v ld.gold >/dev/null || sanitize+=' -fuse-ld=gold' # links 200 programs in half of the time
 processors=$(nproc)
 export bare=-Itests/support/bare # where cmocka is missing
 ! pkg-config --exists cmocka 2>/dev/null || bare=

@@ -191,7 +191,7 @@ static double code_of(const struct depth_lab *lab, const struct ph_triangle *tri
     }
     const struct ph_small_triangle *const small = &t->as.small.rows;
     const struct ph_plane of_small = {small->d - (uint32_t)t->y_top * small->d_dy, small->gd, small->d_dy};
-    const bool is_small = t->kind >= PH_KIND_SMALL && t->kind <= PH_KIND_SMALL_SPLIT;
+    const bool is_small = t->kind <= PH_KIND_SMALL_SPLIT;
     const uint32_t at = ph_plane_at(is_small ? &of_small : &t->as.large.depth.as.plane, x, y);
     const uint32_t value = t->kind == PH_KIND_SMALL_KNEE ? ph_knee_code(at, small->knee) : at;
     const double signed_value = value < UINT32_MAX - 65535 ? value : value - 4294967296.0; /* a little beyond far */

@@ -290,8 +290,12 @@ static void two_cores_skin_as_one_does(void **state)
     when = AT_JOIN;
     for (uint32_t i = 0; i < 3 * sizeof counts / sizeof *counts; i++) {
         const struct ph_renderer r = {.config = {.other_core = other_core, .other_core_join = other_core_join}};
-        const struct ph_bound from = {(const int16_t(*)[3])positions, i % 3 == 1 ? NULL : (const int16_t(*)[3])normals,
-                                      i % 3 == 2 ? NULL : influences, counts[i / 3], 15};
+        const struct ph_bound from = {(const int16_t(*)[3])positions,
+                                      i % 3 == 1 ? NULL : (const int16_t(*)[3])normals,
+                                      i % 3 == 2 ? NULL : influences,
+                                      counts[i / 3],
+                                      15,
+                                      false};
         struct skinned one = {0}, two = {0};
         runs = 0;
         ph_skin_vertices(&from, joints, one.positions, one.normals);

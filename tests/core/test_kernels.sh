@@ -104,7 +104,7 @@ for cpu in armv6m armv7m; do
     short "the_loops_for_${cpu}_leave_what_those_in_C_leave" same_loops $cpu
     long "the_frames_with_the_loops_for_${cpu}_are_the_same" same_frames $cpu
 done
-without=-U__ARM_FEATURE_DSP short "the_loops_for_armv7m_without_DSP_leave_the_same" same_loops armv7m
+without=-U__ARM_FEATURE_DSP long "the_loops_for_armv7m_without_DSP_leave_the_same" same_loops armv7m
 short "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/add r12, r2/nop/' 'small_gouraud small_knee long_gouraud'
 long "a_block_too_few_in_a_long_row_for_armv7m_is_seen" change_is_seen armv7m small_gouraud 's/lsrs r0, r1, #5/lsrs r0, r1, #6/' long_gouraud
 long "four_pixels_drawn_where_two_are_hidden_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/orrs r5, r6/tst r5, r5/' long_gouraud
@@ -146,7 +146,7 @@ long "a_clip_plane_forgotten_for_armv7m_is_seen" change_is_seen armv7m cull 's/t
 long "a_carry_lost_in_a_product_for_armv6m_is_seen" change_is_seen armv6m fx_mul 's/adds r2, r0$/nop/'
 long "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2, r2, #30/movs r2, #0/'
 short "the_loops_for_rv32_leave_what_those_in_C_leave" same_loops rv32
-form=rv32imac_zba_zbb_zbkb form_of_cpu=rv32,zba=true,zbb=true,zbkb=true short "the_loops_for_rv32_with_Zba_Zbb_Zbkb_leave_the_same" same_loops rv32
+form=rv32imac_zba_zbb_zbkb form_of_cpu=rv32,zba=true,zbb=true,zbkb=true long "the_loops_for_rv32_with_Zba_Zbb_Zbkb_leave_the_same" same_loops rv32
 long "a_hidden_pixel_drawn_for_rv32_is_seen" change_is_seen rv32 span_flat 's/bgeu t0, t1, 1f/bgtu t0, t1, 1f/'
 long "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/beqz a0, done/j done/' 'small_gouraud small_knee long_gouraud'
 long "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/srli s10, a3, 1/srli s10, a3, 2/' long_gouraud

@@ -198,7 +198,7 @@ static void lay_rows(struct blend_pass *o, const struct ph_box *box, const struc
 {
     const struct ph_band *const band = o->band;
     const struct ph_triangle *const t = o->triangle;
-    const bool is_large = t->kind <= PH_KIND_TEXTURE || t->kind == PH_KIND_COLOURS;
+    const bool is_large = t->kind >= PH_KIND_FLAT && t->kind <= PH_KIND_COLOURS;
     for (int half = 0; half <= is_large; half++) {
         struct ph_half_rows in;
         in.y = rows->y0;

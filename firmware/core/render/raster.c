@@ -20,8 +20,8 @@
 static inline uint32_t draw_left(const struct ph_triangle *t, const struct ph_band *band,
                                  const struct ph_small_triangle *r, const struct ph_place *at)
 {
-    return t->kind == PH_KIND_SMALL_KNEE ? band->ways->octaves->draw_knee(r, at->depth, at->pixels, 2 * at->stride)
-                                         : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+    return t->kind == PH_KIND_SMALL ? ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride)
+                                    : band->ways->octaves->draw_knee(r, at->depth, at->pixels, 2 * at->stride);
 }
 
 /* Draws a small triangle that the band cuts, or that has a knee. */
@@ -112,11 +112,18 @@ PH_TIER(scenery) uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_b
     const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride,
                                 .draw_gouraud = ph_small_gouraud};
     t->y_top = (int16_t)band->y1;
-    small->upper_rows = (uint16_t)(rows < upper_rows ? rows : upper_rows);
-    small->lower_rows = (uint16_t)(rows - small->upper_rows);
+    if (rows < upper_rows) {
+        small->upper_rows = (uint16_t)rows;
+        small->lower_rows = 0;
+        const uint32_t count = draw_left(t, band, small, &at);
+        small->upper_rows = (uint16_t)upper_rows;
+        small->lower_rows = (uint16_t)lower_rows;
+        ph_skip_upper_rows(small, rows);
+        return count;
+    }
+    const uint32_t below = rows - upper_rows;
+    small->lower_rows = (uint16_t)below;
     const uint32_t count = draw_left(t, band, small, &at);
-    small->upper_rows = (uint16_t)upper_rows;
-    small->lower_rows = (uint16_t)lower_rows;
-    ph_skip_rows(small, rows);
+    ph_skip_to_lower_rows(small, rows, below, lower_rows - below);
     return count;
 }

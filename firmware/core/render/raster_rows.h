@@ -30,14 +30,11 @@ static inline void ph_skip_upper_rows(struct ph_small_triangle *r, uint32_t n)
     r->upper_rows = (uint16_t)(r->upper_rows - n);
 }
 
-/* Steps n rows down, through both halves. */
-static inline void ph_skip_rows_of(struct ph_small_triangle *r, uint32_t n)
+/* Steps n rows down, which are the upper ones and so many of the lower ones; those that are left become the upper rows.
+ */
+static inline void ph_skip_to_lower_rows(struct ph_small_triangle *r, uint32_t n, uint32_t lower, uint32_t left)
 {
-    if (n < r->upper_rows) {
-        ph_skip_upper_rows(r, n);
-        return;
-    }
-    const uint32_t below = n - r->upper_rows, dx = (uint32_t)r->lower.dx, x = (uint32_t)r->lower.x + below * dx;
+    const uint32_t dx = (uint32_t)r->lower.dx, x = (uint32_t)r->lower.x + lower * dx;
     r->d += n * r->d_dy;
     r->light += n * r->light_dy;
     if (r->lower_is_right) {
@@ -49,8 +46,19 @@ static inline void ph_skip_rows_of(struct ph_small_triangle *r, uint32_t n)
         r->left = x;
         r->left_dx = dx;
     }
-    r->upper_rows = (uint16_t)(r->lower_rows - below);
+    r->upper_rows = (uint16_t)left;
     r->lower_rows = 0;
+}
+
+/* Steps n rows down, through both halves. */
+static inline void ph_skip_rows_of(struct ph_small_triangle *r, uint32_t n)
+{
+    if (n < r->upper_rows) {
+        ph_skip_upper_rows(r, n);
+    } else {
+        const uint32_t lower = n - r->upper_rows;
+        ph_skip_to_lower_rows(r, n, lower, r->lower_rows - lower);
+    }
 }
 
 /* Steps a small triangle n rows down, through both halves. */

@@ -222,7 +222,7 @@ known:
     ldr r2, [r3, #fast_ramp]
     str r1, [r0, #triangle_material]
     str r2, [r0, #triangle_ramp]
-    movs r1, #0xfc
+    movs r1, #0xff
     mvns r1, r1 @ PH_KIND_SMALL and PH_BLOCK_NONE, which stands beside it
     strh r1, [r0, #triangle_kind]
     subs r5, #12

@@ -173,7 +173,7 @@ known:
     sub r1, r2, #own_sides - own_corners
     str r6, [r0, #triangle_ramp]
     str r7, [r0, #triangle_material]
-    mvn r4, #0xfc @ PH_KIND_SMALL and PH_BLOCK_NONE, which stands beside it
+    mvn r4, #0xff @ PH_KIND_SMALL and PH_BLOCK_NONE, which stands beside it
     strh r4, [r0, #triangle_kind]
     push {r0-r3}
     b begin

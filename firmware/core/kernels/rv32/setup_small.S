@@ -181,7 +181,7 @@ inside:
     add s9, s9, t0
 known:
     words lw, a0, fast_ramp, t0, t1
-    li t2, ~0xfc // PH_KIND_SMALL and PH_BLOCK_NONE, which stands beside it
+    li t2, ~0xff // PH_KIND_SMALL and PH_BLOCK_NONE, which stands beside it
     sw t0, triangle_ramp(a2)
     sw t1, triangle_material(a2)
     sh t2, triangle_kind(a2)
