@@ -13,12 +13,10 @@
 #include "nearest.h"
 #include "progress.h"
 #include "signal_stop.h"
-#include "sim_cameras.h"
 #include "sim_list.h"
-#include "sim_matrix.h"
 #include "sim_options.h"
 #include "sim_player.h"
-#include "sim_point.h"
+#include "sim_tell.h"
 #include "sim_window.h"
 #include "sim_wrong.h"
 
@@ -281,50 +279,6 @@ static FILE *report_file(const struct frame_out *out)
     return out->kind == FRAME_OUT_STREAM ? stderr : stdout;
 }
 
-/* Prints the matrices of one camera, and the point as it sees it. */
-static int print_camera(const struct sim_options *o, FILE *file, const struct sim_player *p,
-                        const struct sim_camera *camera, struct sim_matrix_writing writing)
-{
-    const struct demo_camera *const user = &p->runner.context.camera; /* a demo may make its own of it */
-    const struct ph_projection *const lens = user->projection_set ? &user->projection : &camera->projection;
-    const uint16_t width = p->runner.driver.width, height = p->runner.driver.height;
-    const struct ph_mat4 object = ph_mat4_xform(&o->object);
-    int status = 0;
-    if (o->matrix && o->object_set) {
-        sim_matrix_print_one(file, "object", &object);
-    }
-    if (o->matrix) {
-        status = sim_matrix_print(file, &camera->view, lens, width, height, writing);
-    }
-    if (status == 0 && o->flatten != NULL) {
-        sim_matrix_print_one(file, "flatten", &o->flat);
-    }
-    if (status == 0 && o->point_set) {
-        status = sim_point_print(file, o->point, &o->object, &camera->view, lens, width, height, writing);
-    }
-    if (status == PH_ERR_RANGE) {
-        return complain_usage(o->point_set ? "--point: a number does not fit, or w is 0: the point lies beside the eye"
-                                           : "--matrix: an element does not fit Q16.16; move --near and --far apart");
-    }
-    return status == 0 ? 0 : complain_usage("--matrix, --point: this demo's camera has no matrix; give a --projection");
-}
-
-static int show_cameras(const struct sim_options *o, FILE *file, struct sim_player *p,
-                        struct sim_matrix_writing writing)
-{
-    struct sim_cameras seen = {.count = 0};
-    sim_cameras_record(&seen);
-    int status = sim_player_scene(p, o->start);
-    sim_cameras_record(NULL);
-    for (uint32_t i = 0; i < seen.count && status == 0; i++) {
-        if (seen.count > 1) {
-            fprintf(file, "camera %u of %u\n", (unsigned)i + 1, (unsigned)seen.count);
-        }
-        status = print_camera(o, file, p, &seen.cameras[i], writing);
-    }
-    return status;
-}
-
 /* Where the frames go, what they are compared with, and where the buttons come from. */
 struct stage {
     struct sim_player_setup *setup;
@@ -473,7 +427,8 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
         o->out != NULL || o->crc || o->stats || o->check != NULL || o->show_window; /* --matrix alone draws none */
     const bool listed = o->stats || (o->crc && (stage->out.kind == FRAME_OUT_STREAM || isatty(STDOUT_FILENO)));
     const bool bar = drawn && !listed && !o->show_window; /* lines about frames where the bar would be tell enough */
-    int status = o->matrix || o->point_set ? show_cameras(o, report_file(&stage->out), p, stage->chosen->writing) : 0;
+    int status =
+        o->matrix || o->point_set ? sim_tell_cameras(o, report_file(&stage->out), p, stage->chosen->writing) : 0;
     uint64_t before_us = now_us();
     for (uint32_t i = 0; drawn && i < o->frames && status == 0 && signal_stop == 0; i++) {
         const uint64_t us = now_us();

@@ -88,6 +88,14 @@ static bool set_object(void *to, const char *value)
     return *value == '\0';
 }
 
+static bool set_matrix(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    o->matrix = true;
+    o->factors = value != NULL;
+    return value == NULL || strcmp(value, "factors") == 0;
+}
+
 static bool set_flatten(void *to, const char *value)
 {
     struct sim_options *o = to;
@@ -279,9 +287,11 @@ static const struct option_row rows[] = {
      "(pinhole-DEMO-FRAME.png),\n"
      "        F fills the screen, Esc ends",
      NULL, .at = offsetof(struct sim_options, show_window)},
-    {"matrix", NULL,
-     "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
-     NULL, .at = offsetof(struct sim_options, matrix)},
+    {"matrix", "[factors]",
+     "prints the cameras of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals.\n"
+     "        factors: and what they are products of, in lines as those of --point: view = R T, its inverse `camera`,\n"
+     "        projection = scale shift persp, without persp in parallel; w1 and w2 are persp's third row",
+     "factors, or nothing", .set = set_matrix},
     {"point", "X,Y,Z",
      "prints a vertex at every stage with the camera of the first frame: object, world, view, clip, ndc, pixel; each\n"
      "        number as an exact fraction, a decimal, Pinhole's code in steps of 1/65536, and its error in such "

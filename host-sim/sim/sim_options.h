@@ -42,7 +42,8 @@ struct sim_options {
     struct option_depth depth;
     uint8_t convention; /* enum ph_convention */
     bool crc, stats, json, overlay, antialias, matrix, show_window;
-    bool anyway; /* draws matrices that are no camera */
+    bool factors; /* --matrix factors */
+    bool anyway;  /* draws matrices that are no camera */
     bool point_set, object_set;
     struct fx_vec3 point;   /* --point, in the object's coordinates */
     struct ph_xform object; /* --object: where it stands */

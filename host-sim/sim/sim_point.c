@@ -2,54 +2,10 @@
 #include "sim_point.h"
 
 #include "lab_probe.h"
-
-/* A fraction; under is more than 0. Numbers here stay below 2^115: a coordinate has 63 bits, a scale 32, a side 11. */
-typedef __int128 wide;
-
-struct fraction {
-    wide over, under;
-};
-
-static struct fraction reduced(wide over, wide under)
-{
-    wide a = over < 0 ? -over : over, b = under < 0 ? -under : under;
-    while (b != 0) {
-        const wide rest = a % b;
-        a = b, b = rest;
-    }
-    const wide by = under < 0 ? -a : a;
-    return by == 0 ? (struct fraction){0, 1} : (struct fraction){over / by, under / by};
-}
-
-static struct fraction of(int32_t value, int bits)
-{
-    return reduced(value, (wide)1 << bits);
-}
-
-static struct fraction add(struct fraction a, struct fraction b)
-{
-    const struct fraction common = reduced(a.under, b.under);
-    return reduced(a.over * common.under + b.over * common.over, a.under * common.under);
-}
-
-static struct fraction times(struct fraction a, struct fraction b)
-{
-    const struct fraction c = reduced(a.over, b.under), d = reduced(b.over, a.under);
-    return reduced(c.over * d.over, c.under * d.under);
-}
-
-static struct fraction minus(struct fraction a)
-{
-    return (struct fraction){-a.over, a.under};
-}
-
-static struct fraction divide(struct fraction a, struct fraction b)
-{
-    return times(a, reduced(b.under, b.over));
-}
+#include "sim_fraction.h"
 
 struct place {
-    struct fraction c[4];
+    struct sim_fraction c[4];
 };
 
 static struct place moved(const struct ph_xform *m, const struct place *p)
@@ -57,27 +13,30 @@ static struct place moved(const struct ph_xform *m, const struct place *p)
     const fx_t t[3] = {m->t.x, m->t.y, m->t.z};
     struct place out = *p;
     for (int i = 0; i < 3; i++) {
-        out.c[i] = of(t[i], 16);
+        out.c[i] = sim_fraction_of(t[i], 16);
         for (int j = 0; j < 3; j++) {
-            out.c[i] = add(out.c[i], times(of(m->r[i][j], 30), p->c[j]));
+            out.c[i] = sim_fraction_add(out.c[i], sim_fraction_times(sim_fraction_of(m->r[i][j], 30), p->c[j]));
         }
     }
     return out;
 }
 
 /* The depth of clip space, from the distance along the view: w times (a + b / w), or parallel a + b z. */
-static struct fraction clip_depth(const struct ph_projection *p, enum ph_convention convention, struct fraction z)
+static struct sim_fraction clip_depth(const struct ph_projection *p, enum ph_convention convention,
+                                      struct sim_fraction z)
 {
-    const struct fraction n = of(p->near_z, 16), f = of(p->far_z, 16), range = add(f, minus(n)), two = {2, 1};
+    const struct sim_fraction n = sim_fraction_of(p->near_z, 16), f = sim_fraction_of(p->far_z, 16),
+                              range = sim_fraction_add(f, sim_fraction_minus(n)), two = {2, 1};
     const bool parallel = p->kind == PH_ORTHOGRAPHIC;
     /* from 0 at the near plane to w at the far one */
-    const struct fraction way = divide(add(z, minus(n)), range), zero = parallel ? way : times(way, f);
-    const struct fraction w = parallel ? (struct fraction){1, 1} : z;
-    const struct fraction both = add(times(two, zero), minus(w));
+    const struct sim_fraction way = sim_fraction_divide(sim_fraction_add(z, sim_fraction_minus(n)), range),
+                              zero = parallel ? way : sim_fraction_times(way, f);
+    const struct sim_fraction w = parallel ? (struct sim_fraction){1, 1} : z;
+    const struct sim_fraction both = sim_fraction_add(sim_fraction_times(two, zero), sim_fraction_minus(w));
     return convention == PH_D3D        ? zero
-           : convention == PH_REVERSED ? add(w, minus(zero))
+           : convention == PH_REVERSED ? sim_fraction_add(w, sim_fraction_minus(zero))
            : convention == PH_GL       ? both
-           : parallel                  ? minus(both)
+           : parallel                  ? sim_fraction_minus(both)
                                        : both;
 }
 
@@ -85,48 +44,27 @@ static struct fraction clip_depth(const struct ph_projection *p, enum ph_convent
 static struct place clipped(const struct ph_projection *p, enum ph_convention convention, const struct place *camera)
 {
     const bool parallel = p->kind == PH_ORTHOGRAPHIC, turned = convention == PH_LMU && !parallel;
-    const struct fraction distance = minus(camera->c[2]), one = {1, 1}, w = parallel ? one : distance;
+    const struct sim_fraction distance = sim_fraction_minus(camera->c[2]), one = {1, 1}, w = parallel ? one : distance;
     struct place out;
-    out.c[0] = add(times(of(p->scale_x_q20, 20), camera->c[0]), minus(times(of(p->shift_x, 16), w)));
-    out.c[1] = add(times(of(p->scale_y_q20, 20), camera->c[1]), minus(times(of(p->shift_y, 16), w)));
+    out.c[0] = sim_fraction_add(sim_fraction_times(sim_fraction_of(p->scale_x_q20, 20), camera->c[0]),
+                                sim_fraction_minus(sim_fraction_times(sim_fraction_of(p->shift_x, 16), w)));
+    out.c[1] = sim_fraction_add(sim_fraction_times(sim_fraction_of(p->scale_y_q20, 20), camera->c[1]),
+                                sim_fraction_minus(sim_fraction_times(sim_fraction_of(p->shift_y, 16), w)));
     out.c[2] = clip_depth(p, convention, distance);
     out.c[3] = w;
     for (int i = 0; i < 4 && turned; i++) { /* all four have the other sign, and the depth once more */
-        out.c[i] = i == 2 ? out.c[i] : minus(out.c[i]);
+        out.c[i] = i == 2 ? out.c[i] : sim_fraction_minus(out.c[i]);
     }
     return out;
-}
-
-static void put_wide(FILE *file, wide value)
-{
-    char digits[48];
-    int at = (int)sizeof digits - 1;
-    const bool negative = value < 0;
-    digits[at] = '\0';
-    do {
-        digits[--at] = (char)('0' + (int)(negative ? -(value % 10) : value % 10));
-        value /= 10;
-    } while (value != 0);
-    fprintf(file, "%s%s", negative ? "-" : "", digits + at);
-}
-
-static void put_line(FILE *file, const char *stage, int coordinate, struct fraction exact, fx_t code)
-{
-    const long double value = (long double)exact.over / (long double)exact.under;
-    fprintf(file, "%s.%c ", stage, "xyzw"[coordinate]);
-    put_wide(file, exact.over);
-    if (exact.under != 1) {
-        fputc('/', file);
-        put_wide(file, exact.under);
-    }
-    fprintf(file, " %.12Lg %ld %+.3Lf\n", value, (long)code, (long double)code - value * FX_ONE);
 }
 
 static void put_stage(FILE *file, const char *stage, const struct place *exact, const struct ph_vec4 *code, int count)
 {
     const fx_t codes[4] = {code->x, code->y, code->z, code->w};
     for (int i = 0; i < count; i++) {
-        put_line(file, stage, i, exact->c[i], codes[i]);
+        char name[16];
+        snprintf(name, sizeof name, "%s.%c", stage, "xyzw"[i]);
+        sim_fraction_print(file, name, exact->c[i], codes[i]);
     }
 }
 
@@ -147,7 +85,7 @@ static void put_depths(FILE *file, const struct ph_projection *p, fx_t distance)
 /* Our camera's coordinates, or our world's, in the convention: its camera, or its world, may be left-handed. */
 static struct place written(struct place place, bool left_handed)
 {
-    place.c[2] = left_handed ? minus(place.c[2]) : place.c[2];
+    place.c[2] = left_handed ? sim_fraction_minus(place.c[2]) : place.c[2];
     return place;
 }
 
@@ -156,7 +94,7 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
                     struct sim_matrix_writing writing)
 {
     const enum ph_convention convention = writing.convention;
-    const struct fraction half = {1, 2}, one = {1, 1};
+    const struct sim_fraction half = {1, 2}, one = {1, 1};
     struct ph_mat4 lens;
     const int status = ph_matrix_projection(&lens, projection, convention);
     if (status != 0) {
@@ -176,7 +114,8 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
                                 FX_ONE};
     const struct ph_vec4 pixel = ph_mat4_apply(&viewport, ndc);
     /* the exact values */
-    const struct place exact = {{of(point.x, 16), of(point.y, 16), of(point.z, 16), one}};
+    const struct place exact = {
+        {sim_fraction_of(point.x, 16), sim_fraction_of(point.y, 16), sim_fraction_of(point.z, 16), one}};
     const struct place world = moved(object, &exact), camera = moved(view, &world);
     const struct place exact_clip = clipped(projection, convention, &camera);
     struct place exact_ndc = exact_clip, exact_pixel;
@@ -184,11 +123,13 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
         return PH_ERR_RANGE;
     }
     for (int i = 0; i < 3; i++) {
-        exact_ndc.c[i] = divide(exact_clip.c[i], exact_clip.c[3]);
+        exact_ndc.c[i] = sim_fraction_divide(exact_clip.c[i], exact_clip.c[3]);
     }
-    const struct fraction up = convention == PH_LMU ? exact_ndc.c[1] : minus(exact_ndc.c[1]);
-    exact_pixel.c[0] = times(times(add(exact_ndc.c[0], one), half), (struct fraction){width, 1});
-    exact_pixel.c[1] = times(times(add(up, one), half), (struct fraction){height, 1});
+    const struct sim_fraction up = convention == PH_LMU ? exact_ndc.c[1] : sim_fraction_minus(exact_ndc.c[1]);
+    exact_pixel.c[0] = sim_fraction_times(sim_fraction_times(sim_fraction_add(exact_ndc.c[0], one), half),
+                                          (struct sim_fraction){width, 1});
+    exact_pixel.c[1] =
+        sim_fraction_times(sim_fraction_times(sim_fraction_add(up, one), half), (struct sim_fraction){height, 1});
     const struct place shown_world = written(world, writing.left_world), shown = written(camera, convention == PH_D3D);
     put_stage(file, "object", &exact, &at, 3);
     put_stage(file, "world", &shown_world, &in_world, 3);

@@ -1,13 +1,9 @@
 /*
- * sim_point: a vertex at every stage of the pipeline, in the convention's way to write it. A line a number:
- *
- *   view.x 3/5 0.6 39322 +0.4
- *
- * is the stage and coordinate, the exact value as a fraction and as a decimal, Pinhole's Q16.16 code, and how far this
- * is off in steps of 1/65536. Stages: object, world, view, clip (x, y, z, w), ndc, pixel. The exact value is worked out
- * in whole numbers from the fields of the camera as Pinhole holds them (geom.h); the codes come out of its own matrices
- * (camera.h), one after the other. Then a line for each depth format: `depth.fixed16 CODE SHARE`, the code in the depth
- * buffer and its share of the largest one.
+ * sim_point: a vertex at every stage of the pipeline, in the convention's way to write it. A line of sim_fraction.h a
+ * number, whose name is the stage and coordinate: object, world, view, clip (x, y, z, w), ndc, pixel. The exact value
+ * is worked out in whole numbers from the fields of the camera as Pinhole holds them (geom.h); the codes come out of
+ * its own matrices (camera.h), one after the other. Then a line for each depth format: `depth.fixed16 CODE SHARE`, the
+ * code in the depth buffer and its share of the largest one.
  */
 #ifndef SIM_POINT_H
 #define SIM_POINT_H

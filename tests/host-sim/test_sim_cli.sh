@@ -795,7 +795,7 @@ frustum|--projection fisheye=0,1,0,1 --crc
 --near|--projection ortho --near -1 --crc
 fisheye|--projection fisheye --matrix
 --matrix|--matrix --near 1 --far 1.00001
-takes no value|--matrix=1
+--matrix|--matrix shift
 the views outside sun moon fixed|--demo solar --view pluto --crc
 but one view|--demo cube --view outside --crc
 --view|--view= --crc

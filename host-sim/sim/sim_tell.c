@@ -1,0 +1,53 @@
+/* See sim_tell.h. */
+#include "sim_tell.h"
+
+#include "complain.h"
+#include "sim_cameras.h"
+#include "sim_factors.h"
+#include "sim_point.h"
+
+/* Prints the matrices of one camera, and the point as it sees it. */
+static int print_camera(const struct sim_options *o, FILE *file, const struct sim_player *p,
+                        const struct sim_camera *camera, struct sim_matrix_writing writing)
+{
+    const struct demo_camera *const user = &p->runner.context.camera; /* a demo may make its own of it */
+    const struct ph_projection *const lens = user->projection_set ? &user->projection : &camera->projection;
+    const uint16_t width = p->runner.driver.width, height = p->runner.driver.height;
+    const struct ph_mat4 object = ph_mat4_xform(&o->object);
+    int status = 0;
+    if (o->matrix && o->object_set) {
+        sim_matrix_print_one(file, "object", &object);
+    }
+    if (o->matrix) {
+        status = sim_matrix_print(file, &camera->view, lens, width, height, writing);
+    }
+    if (status == 0 && o->factors) {
+        sim_factors_print(file, &camera->view, lens, writing);
+    }
+    if (status == 0 && o->flatten != NULL) {
+        sim_matrix_print_one(file, "flatten", &o->flat);
+    }
+    if (status == 0 && o->point_set) {
+        status = sim_point_print(file, o->point, &o->object, &camera->view, lens, width, height, writing);
+    }
+    if (status == PH_ERR_RANGE) {
+        return complain_usage(o->point_set ? "--point: a number does not fit, or w is 0: the point lies beside the eye"
+                                           : "--matrix: an element does not fit Q16.16; move --near and --far apart");
+    }
+    return status == 0 ? 0 : complain_usage("--matrix, --point: this demo's camera has no matrix; give a --projection");
+}
+
+int sim_tell_cameras(const struct sim_options *o, FILE *file, struct sim_player *p, struct sim_matrix_writing writing)
+{
+    struct sim_cameras seen = {.count = 0};
+    sim_cameras_record(&seen);
+    int status = sim_player_scene(p, o->start);
+    sim_cameras_record(NULL);
+    for (uint32_t i = 0; i < seen.count && status == 0; i++) {
+        if (seen.count > 1) {
+            fprintf(file, "camera %u of %u\n", (unsigned)i + 1, (unsigned)seen.count);
+        }
+        status = print_camera(o, file, p, &seen.cameras[i], writing);
+    }
+    return status;
+}
