@@ -232,6 +232,7 @@ $(foreach p,$(PROGRAMS:$(B)/pinhole-%=%),$(eval $(B)/pinhole-$(p): $(B)/host-sim
 $(B)/pinhole-depth: override LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=depth_layers_draw_mesh # depth_layers.c records what a demo draws
 $(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_frame_begin,--defsym=__wrap_ph_frame_begin=sim_cameras_frame_begin # sim_cameras.c records
 $(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_frame_camera,--defsym=__wrap_ph_frame_camera=sim_cameras_frame_camera # what cameras a demo has
+$(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=sim_cameras_draw_mesh # and where its meshes are
 
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 	$(SAY) LD $@

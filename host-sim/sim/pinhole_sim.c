@@ -302,7 +302,10 @@ static void print_crc(FILE *file, const struct sim_options *o, uint32_t frame, c
 static int show_frame(const struct sim_options *o, struct stage *stage, struct sim_player *p, uint32_t frame)
 {
     struct frame_out *const out = &stage->out;
-    int status = sim_player_frame(p, frame);
+    int status = sim_tell_ride(o, p, frame);
+    if (status == 0) {
+        status = sim_player_frame(p, frame);
+    }
     if (status == 0) {
         status = frame_out_put(out, frame, &p->picture);
     }
@@ -427,8 +430,9 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
         o->out != NULL || o->crc || o->stats || o->check != NULL || o->show_window; /* --matrix alone draws none */
     const bool listed = o->stats || (o->crc && (stage->out.kind == FRAME_OUT_STREAM || isatty(STDOUT_FILENO)));
     const bool bar = drawn && !listed && !o->show_window; /* lines about frames where the bar would be tell enough */
-    int status =
-        o->matrix || o->point_set ? sim_tell_cameras(o, report_file(&stage->out), p, stage->chosen->writing) : 0;
+    int status = o->matrix || o->point_set || o->frustum_z != 0
+                     ? sim_tell_cameras(o, report_file(&stage->out), p, stage->chosen->writing)
+                     : 0;
     uint64_t before_us = now_us();
     for (uint32_t i = 0; drawn && i < o->frames && status == 0 && signal_stop == 0; i++) {
         const uint64_t us = now_us();

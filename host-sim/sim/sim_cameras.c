@@ -8,6 +8,7 @@
 int __real_ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
                           const struct ph_scene_light *light, uint16_t background);
 int __real_ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection);
+int __real_ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 // NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 
 static struct sim_cameras *recording;
@@ -42,7 +43,7 @@ int sim_cameras_frame_begin(struct ph_renderer *r, const struct ph_xform *view, 
 {
     const int status = __real_ph_frame_begin(r, view, projection, light, background);
     if (status == PH_OK && recording != NULL) {
-        recording->count = 0;
+        recording->count = recording->meshes = 0;
         record(view, projection);
     }
     return status;
@@ -53,6 +54,16 @@ int sim_cameras_frame_camera(struct ph_renderer *r, const struct ph_xform *view,
     const int status = __real_ph_frame_camera(r, view, projection);
     if (status == PH_OK) {
         record(view, projection);
+    }
+    return status;
+}
+
+int sim_cameras_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
+{
+    const int status = __real_ph_draw_mesh(r, mesh, to_world);
+    if (status == PH_OK && recording != NULL) {
+        recording->parent_to_world = recording->meshes == recording->parent ? *to_world : recording->parent_to_world;
+        recording->meshes++;
     }
     return status;
 }

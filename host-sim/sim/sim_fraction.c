@@ -63,14 +63,24 @@ static void put_wide(FILE *file, sim_wide value)
     fprintf(file, "%s%s", negative ? "-" : "", digits + at);
 }
 
+static void put_value(FILE *file, long double value, fx_t code)
+{
+    fprintf(file, " %.12Lg %ld %+.3Lf\n", value, (long)code, (long double)code - value * FX_ONE);
+}
+
 void sim_fraction_print(FILE *file, const char *name, struct sim_fraction exact, fx_t code)
 {
-    const long double value = (long double)exact.over / (long double)exact.under;
     fprintf(file, "%s ", name);
     put_wide(file, exact.over);
     if (exact.under != 1) {
         fputc('/', file);
         put_wide(file, exact.under);
     }
-    fprintf(file, " %.12Lg %ld %+.3Lf\n", value, (long)code, (long double)code - value * FX_ONE);
+    put_value(file, (long double)exact.over / (long double)exact.under, code);
+}
+
+void sim_decimal_print(FILE *file, const char *name, long double value, fx_t code)
+{
+    fprintf(file, "%s -", name);
+    put_value(file, value, code);
 }

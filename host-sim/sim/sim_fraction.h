@@ -37,4 +37,7 @@ fx_t sim_fraction_code(struct sim_fraction a);
 /* Prints the line. */
 void sim_fraction_print(FILE *file, const char *name, struct sim_fraction exact, fx_t code);
 
+/* Prints the line of a value that is no fraction: it has `-` there. */
+void sim_decimal_print(FILE *file, const char *name, long double value, fx_t code);
+
 #endif

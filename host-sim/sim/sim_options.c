@@ -71,6 +71,25 @@ static bool set_point(void *to, const char *value)
     return o->point_set;
 }
 
+static bool set_frustum(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    if (!option_text_fx(value, &o->frustum_z, &value) || o->frustum_z <= 0) {
+        return false;
+    }
+    if (*value == ',' && (!option_text_fx(value + 1, &o->frustum_height, &value) || o->frustum_height <= 0)) {
+        return false;
+    }
+    return *value == '\0';
+}
+
+static bool set_parent(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    o->parent_set = true;
+    return option_text_u32(value, 0, UINT32_MAX, &o->parent);
+}
+
 static bool set_object(void *to, const char *value)
 {
     static const char word[] = ",target=";
@@ -238,6 +257,11 @@ static const struct option_row rows[] = {
      OPTION_CAMERA_TELLS ". Without this option the demo has its own\n"
                          "        view; it has its own lens if no option of the view or the lens is given",
      OPTION_CAMERA_VALUES, .set = set_camera},
+    {"parent", "N",
+     "makes the camera a child of mesh N of the frame, from 0 on in the order in which they are drawn: --camera or\n"
+     "        --view-matrix is then in that mesh's coordinates, and the camera goes where it goes; a scale has no "
+     "effect",
+     "a whole number, 0 .. 4294967295", .set = set_parent},
     {"view-matrix", "M", "the view as a matrix, world to camera, as the --convention writes it and --matrix prints it",
      SIM_MATRIX_VALUES, .set = set_view_matrix},
     {"projection-matrix", "M", "the lens as a matrix, camera to clip coordinates, as the --convention writes it",
@@ -302,8 +326,15 @@ static const struct option_row rows[] = {
      "where the object of --point stands, and what its z axis points at, as an object's lookAt does; --matrix prints\n"
      "        `object`",
      "three numbers and, optionally, target= with three", .set = set_object},
+    {"frustum", "Z[,H]",
+     "prints what the camera of the first frame sees: fields of view and aspect, and width and height of the view\n"
+     "        volume at the distance Z; the field of view that a height H fills there, and the distance at which it "
+     "fills\n"
+     "        the camera's own",
+     "a distance, more than 0, and, optionally, a comma and a height, more than 0", .set = set_frustum},
     {"flatten", "kaist-4.7|kaist-4.11|eece=D|plane=X,Y,Z,D",
-     "prints `flatten` with --matrix: a matrix that drops the depth, in parallel (KAIST 4.7), by w = z (4.11) or\n"
+     "prints `flatten` with --matrix, and with --point what it makes of the point: a matrix that drops the depth, in "
+     "parallel (KAIST 4.7), by w = z (4.11) or\n"
      "        w = z / D (EECE 478), or that projects from the eye onto the plane n.p + D = 0, with the normal X,Y,Z "
      "at\n        the distance D, on the side that it points away from",
      "kaist-4.7, kaist-4.11, eece=D or plane=X,Y,Z,D with a normal and a D that are not 0", .set = set_flatten},
@@ -375,8 +406,14 @@ static int check_camera(const struct sim_options *o)
     if (o->projection == OPTION_FISHEYE && o->point_set) {
         return complain_usage("--point: a fisheye has no matrix; choose another --projection");
     }
-    if (o->flatten != NULL && !o->matrix) {
-        return complain_usage("--flatten: is printed with --matrix; give that, too");
+    if (o->flatten != NULL && !o->matrix && !o->point_set) {
+        return complain_usage("--flatten: is printed with --matrix or --point; give one, too");
+    }
+    if (o->parent_set && !o->camera.set && !o->view_matrix_set) {
+        return complain_usage("--parent: of which camera? give --camera or --view-matrix");
+    }
+    if (o->projection == OPTION_FISHEYE && o->frustum_z != 0) {
+        return complain_usage("--frustum: a fisheye has none; choose another --projection");
     }
     if (o->projection == OPTION_FISHEYE && o->matrix) {
         return complain_usage("--matrix: a fisheye has no matrix; choose another --projection");
@@ -409,9 +446,9 @@ static int check_together(const struct sim_options *o)
         return complain_usage("--board and --size exclude each other");
     }
     if (o->action == OPTION_RUN && o->out == NULL && o->check == NULL && !o->crc && !o->stats && !o->matrix &&
-        !o->point_set && !o->show_window) {
-        return complain_usage(
-            "nothing to do: give --out, --check, --crc, --stats, --matrix, --point or --window (see --help)");
+        !o->point_set && o->frustum_z == 0 && !o->show_window) {
+        return complain_usage("nothing to do: give --out, --check, --crc, --stats, --matrix, --point, --frustum or "
+                              "--window (see --help)");
     }
     if (o->json && o->action == OPTION_RUN && !o->crc && !o->stats) {
         return complain_usage("--json: of what? it is a form of --list, --crc and --stats");

@@ -47,6 +47,10 @@ struct sim_options {
     bool point_set, object_set;
     struct fx_vec3 point;   /* --point, in the object's coordinates */
     struct ph_xform object; /* --object: where it stands */
+    fx_t frustum_z;         /* --frustum: a distance; 0: not given */
+    fx_t frustum_height;    /* 0: not given */
+    bool parent_set;
+    uint32_t parent; /* number of a mesh of the frame */
 
     struct option_camera camera;
     bool view_matrix_set, lens_matrix_set;

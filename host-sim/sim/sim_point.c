@@ -140,3 +140,32 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
     put_depths(file, projection, fx_neg_sat(ph_xform_point(view, ph_xform_point(object, point)).z));
     return 0;
 }
+
+void sim_point_flatten(FILE *file, struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view,
+                       const struct ph_mat4 *flat, struct sim_matrix_writing writing)
+{
+    const struct place exact = {
+        {sim_fraction_of(point.x, 16), sim_fraction_of(point.y, 16), sim_fraction_of(point.z, 16), {1, 1}}};
+    const struct place world = moved(object, &exact), camera = moved(view, &world);
+    const struct place seen = written(camera, writing.convention == PH_D3D);
+    const struct fx_vec3 at = ph_xform_point(view, ph_xform_point(object, point));
+    const struct ph_vec4 in_view = {at.x, at.y, writing.convention == PH_D3D ? fx_neg_sat(at.z) : at.z, FX_ONE};
+    const struct ph_vec4 code = ph_mat4_apply(flat, in_view);
+    struct place out;
+    for (int i = 0; i < 4; i++) {
+        out.c[i] = (struct sim_fraction){0, 1};
+        for (int j = 0; j < 4; j++) {
+            out.c[i] = sim_fraction_add(out.c[i], sim_fraction_times(sim_fraction_of(flat->m[i][j], 16), seen.c[j]));
+        }
+    }
+    put_stage(file, "flatten", &out, &code, 4);
+    if (out.c[3].over == 0 || code.w == 0) { /* the point is projected to infinity */
+        return;
+    }
+    const struct ph_vec4 divided = {fx_div_sat(code.x, code.w), fx_div_sat(code.y, code.w), fx_div_sat(code.z, code.w),
+                                    FX_ONE};
+    for (int i = 0; i < 3; i++) {
+        out.c[i] = sim_fraction_divide(out.c[i], out.c[3]);
+    }
+    put_stage(file, "divided", &out, &divided, 3);
+}

@@ -16,4 +16,9 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
                     const struct ph_projection *projection, uint16_t width, uint16_t height,
                     struct sim_matrix_writing writing);
 
+/* Prints the point times a matrix of --flatten, which takes camera coordinates of the convention: `flatten` (x, y, z,
+ * w); and after the divide by w `divided` (x, y, z), which has no lines where w is 0: the image is infinitely far. */
+void sim_point_flatten(FILE *file, struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view,
+                       const struct ph_mat4 *flat, struct sim_matrix_writing writing);
+
 #endif

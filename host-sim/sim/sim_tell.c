@@ -4,6 +4,7 @@
 #include "complain.h"
 #include "sim_cameras.h"
 #include "sim_factors.h"
+#include "sim_frustum.h"
 #include "sim_point.h"
 
 /* Prints the matrices of one camera, and the point as it sees it. */
@@ -24,30 +25,60 @@ static int print_camera(const struct sim_options *o, FILE *file, const struct si
     if (status == 0 && o->factors) {
         sim_factors_print(file, &camera->view, lens, writing);
     }
-    if (status == 0 && o->flatten != NULL) {
+    if (status == 0 && o->matrix && o->flatten != NULL) {
         sim_matrix_print_one(file, "flatten", &o->flat);
+    }
+    if (status == 0 && o->frustum_z != 0) {
+        status = sim_frustum_print(file, lens, o->frustum_z, o->frustum_height);
     }
     if (status == 0 && o->point_set) {
         status = sim_point_print(file, o->point, &o->object, &camera->view, lens, width, height, writing);
+    }
+    if (status == 0 && o->point_set && o->flatten != NULL) {
+        sim_point_flatten(file, o->point, &o->object, &camera->view, &o->flat, writing);
     }
     if (status == PH_ERR_RANGE) {
         return complain_usage(o->point_set ? "--point: a number does not fit, or w is 0: the point lies beside the eye"
                                            : "--matrix: an element does not fit Q16.16; move --near and --far apart");
     }
-    return status == 0 ? 0 : complain_usage("--matrix, --point: this demo's camera has no matrix; give a --projection");
+    return status == 0
+               ? 0
+               : complain_usage("--matrix, --point, --frustum: this demo's camera has no matrix; give a --projection");
 }
 
 int sim_tell_cameras(const struct sim_options *o, FILE *file, struct sim_player *p, struct sim_matrix_writing writing)
 {
     struct sim_cameras seen = {.count = 0};
-    sim_cameras_record(&seen);
-    int status = sim_player_scene(p, o->start);
-    sim_cameras_record(NULL);
+    int status = sim_tell_ride(o, p, o->start);
+    if (status == 0) {
+        sim_cameras_record(&seen);
+        status = sim_player_scene(p, o->start);
+        sim_cameras_record(NULL);
+    }
     for (uint32_t i = 0; i < seen.count && status == 0; i++) {
         if (seen.count > 1) {
             fprintf(file, "camera %u of %u\n", (unsigned)i + 1, (unsigned)seen.count);
         }
         status = print_camera(o, file, p, &seen.cameras[i], writing);
     }
+    return status;
+}
+
+int sim_tell_ride(const struct sim_options *o, struct sim_player *p, uint32_t frame)
+{
+    struct sim_cameras seen = {.parent = o->parent};
+    struct ph_xform to_parent;
+    if (!o->parent_set) {
+        return 0;
+    }
+    sim_cameras_record(&seen);
+    const int status = sim_player_scene(p, frame);
+    sim_cameras_record(NULL);
+    if (status == 0 && seen.meshes <= o->parent) {
+        return complain_usage("--parent %u: frame %u has %u meshes, and the first is number 0", (unsigned)o->parent,
+                              (unsigned)frame, (unsigned)seen.meshes);
+    }
+    to_parent = ph_view_of_node(&seen.parent_to_world);
+    p->runner.context.camera.view = ph_xform_mul(&p->setup.camera.view, &to_parent);
     return status;
 }

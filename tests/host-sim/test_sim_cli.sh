@@ -313,6 +313,16 @@ a_point_is_told_at_every_stage() {
         [ "$(matrices 1,5 "${camera[@]}" --object 1,0,-1,target=5,0,-1 | tr '\n' ' ')" = "object 0 0 1 1 0 1 0 0 -1 0 0 -1 0 0 0 1 " ]
 }
 
+# The moon of solar is 4.9 from the sun in frame 0; after a quarter of a year the earth is at (0,0,-4), and the month at its start.
+a_camera_rides_on_a_mesh() {
+    local moon=(--demo solar --camera "eye=0,0,2" --parent 2 --size 48x40)
+    [ "$("$sim" "${moon[@]}" --matrix factors | awk '/^camera.*3 / { print $4 }' | tr '\n' ' ')" = "321126 0 131072 " ] &&
+        [ "$("$sim" "${moon[@]}" --start 256 --matrix factors | awk '/^camera.*3 / { print $4 }' | tr '\n' ' ')" = "58982 0 -131072 " ] &&
+        same "${moon[@]}" -- --demo solar "${small[@]}" --camera eye=4.89999,0,2,target=4.89999,0,0 &&
+        differ "${moon[@]}" -- --start 3 "${moon[@]}" &&
+        refuses 2 'frame 0 has 6 meshes' --demo solar --camera eye=0,0,2 --parent 6 --crc
+}
+
 # Each command for teachers (host-sim/README.md) draws or prints something; the one that shows a mistake is refused.
 the_teachers_commands_work() {
     local words status
@@ -606,6 +616,7 @@ check camera_at_its_own_target_is_drawn "$sim" "${small[@]}" --camera eye=0,0,0,
 check each_convention_is_typed_as_it_is_written each_convention_is_typed_as_it_is_written
 check a_wrong_matrix_is_explained_and_drawn a_wrong_matrix_is_explained_and_drawn
 check a_point_is_told_at_every_stage a_point_is_told_at_every_stage
+check a_camera_rides_on_a_mesh a_camera_rides_on_a_mesh
 check the_teachers_commands_work the_teachers_commands_work
 check a_picture_of_16_to_9_has_its_own_width a_picture_of_16_to_9_has_its_own_width
 check all_cameras_of_a_demo_are_printed all_cameras_of_a_demo_are_printed

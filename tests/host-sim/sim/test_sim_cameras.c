@@ -27,6 +27,13 @@ int __real_ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, c
     (void)r, (void)view, (void)projection;
     return status_of_core;
 }
+
+int __real_ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
+int __real_ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
+{
+    (void)r, (void)mesh, (void)to_world;
+    return status_of_core;
+}
 // NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 
 static const struct ph_projection lens = {.scale_x_q20 = 1, .scale_y_q20 = 2, .near_z = 5, .far_z = 6};
@@ -91,11 +98,44 @@ static void what_the_renderer_refuses_is_no_camera(void **state)
     assert_int_equal(seen.cameras[0].view.t.x, 1);
 }
 
+static void draw(fx_t x)
+{
+    const struct ph_xform to_world = ph_xform_translate(x, 0, 0);
+    assert_int_equal(sim_cameras_draw_mesh(NULL, NULL, &to_world), status_of_core);
+}
+
+static void the_place_of_one_mesh_is_recorded(void **state)
+{
+    (void)state;
+    struct sim_cameras seen = {.parent = 1};
+    status_of_core = PH_OK;
+    draw(1);
+    sim_cameras_record(&seen);
+    begin(1);
+    draw(2);
+    draw(3);
+    draw(4);
+    begin(1); /* again: meshes count from 0 */
+    draw(5);
+    assert_int_equal(seen.meshes, 1);
+    assert_int_equal(seen.parent_to_world.t.x, 3);
+    draw(6);
+    draw(7);
+    status_of_core = PH_ERR_INVAL;
+    draw(8);
+    status_of_core = PH_OK;
+    sim_cameras_record(NULL);
+    draw(9);
+    assert_int_equal(seen.meshes, 3);
+    assert_int_equal(seen.parent_to_world.t.x, 6);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_camera_of_the_last_frame_is_recorded_once),
         cmocka_unit_test(what_the_renderer_refuses_is_no_camera),
+        cmocka_unit_test(the_place_of_one_mesh_is_recorded),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -109,6 +109,11 @@ static void the_lens_has_its_options(void **state)
     assert_true(o.projection == OPTION_FISHEYE && o.fov_deg == FX_INT(240));
     take("--crc --projection fisheye --fov 10");
     take("--crc --fov 179.99");
+    assert_true(!o.factors && o.frustum_z == 0 && !o.parent_set);
+    take("--matrix factors --frustum 2.5");
+    assert_true(o.matrix && o.factors && o.frustum_z == 163840 && o.frustum_height == 0);
+    take("--frustum 2,.5 --matrix --camera eye=0,0,5 --parent 3 --point 1,2,3 --flatten kaist-4.7");
+    assert_true(o.matrix && !o.factors && o.frustum_height == FX_HALF && o.parent_set && o.parent == 3);
 }
 
 struct wrong_line {
@@ -129,7 +134,7 @@ static void expect_wrong(const struct wrong_line *lines, size_t n)
 static void options_that_exclude_each_other_are_told(void **state)
 {
     static const struct wrong_line lines[] = {
-        {"", "nothing to do: give --out, --check, --crc, --stats, --matrix, --point or --window"},
+        {"", "nothing to do: give --out, --check, --crc, --stats, --matrix, --point, --frustum or --window"},
         {"--demo a --model b --crc", "--demo and --model exclude each other"},
         {"--clip a --crc", "--clip: of which model?"},
         {"--max-triangles 9 --crc", "--max-triangles: of which model?"},
@@ -151,6 +156,8 @@ static void options_that_exclude_each_other_are_told(void **state)
         {"--crc --focal 1 --projection ortho", "--focal is a perspective's"},
         {"--crc --focal -1", "--focal: below 0 it turns the view"},
         {"--crc --flatten kaist-4.7", "--flatten: is printed with --matrix"},
+        {"--crc --parent 2", "--parent: of which camera?"},
+        {"--frustum 2 --projection fisheye", "--frustum: a fisheye has none"},
         {"--matrix --projection fisheye", "--matrix: a fisheye has no matrix"},
     };
     (void)state;
@@ -165,6 +172,12 @@ static void wrong_values_are_told(void **state)
         {"--crc --fov 0", "--fov"},
         {"--crc --fov 240.01 --projection fisheye", "--fov"},
         {"--crc --near 1x", "--near"},
+        {"--frustum 0", "--frustum"},
+        {"--frustum 1,", "--frustum"},
+        {"--frustum 1,0", "--frustum"},
+        {"--frustum 1,2,3", "--frustum"},
+        {"--crc --camera eye=0,0,5 --parent -1", "--parent"},
+        {"--matrix factor", "--matrix"},
         {"--crc --far", "--far"},
         {"--crc --focal 0", "--focal"},
         {"--crc --focal -32768 --camera eye=0,0,5", "--focal"},

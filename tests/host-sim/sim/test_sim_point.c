@@ -153,12 +153,46 @@ static void a_point_beside_the_eye_has_no_picture(void **state)
     assert_string_equal(printed, "");
 }
 
+static void flatten(const int p[3], const struct ph_mat4 *flat, enum ph_convention convention)
+{
+    const struct ph_xform object = ph_xform_translate(FX_ONE, 0, 0), view = ph_xform_translate(0, 0, FX_INT(-4));
+    size_t length;
+    free(printed);
+    FILE *const file = open_memstream(&printed, &length);
+    assert_non_null(file);
+    sim_point_flatten(file, whole(p), &object, &view, flat, (struct sim_matrix_writing){convention, false});
+    fclose(file);
+}
+
+/* KAIST 4.11: w = z; HAW: onto the plane 3 before the eye; the point (1 + 1, 4, 2 - 4) in the camera's coordinates. */
+static void a_flattened_point_is_divided_by_its_w(void **state)
+{
+    (void)state;
+    const int p[3] = {1, 4, 2}, beside[3] = {1, 4, 4};
+    const struct ph_mat4 kaist = {{{FX_ONE}, {0, FX_ONE}, {0}, {0, 0, FX_ONE, 0}}};
+    const struct ph_mat4 haw = ph_matrix_plane((struct fx_vec3){0, 0, 1 << 30}, FX_INT(3));
+    flatten(p, &kaist, PH_GL);
+    expect("flatten.x", 2, 1, 0), expect("flatten.y", 4, 1, 0), expect("flatten.z", 0, 1, 0);
+    expect("flatten.w", -2, 1, 0), expect("divided.x", -1, 1, 0), expect("divided.y", -2, 1, 0);
+    expect("divided.z", 0, 1, 0);
+    flatten(p, &kaist, PH_D3D);
+    expect("flatten.w", 2, 1, 0), expect("divided.x", 1, 1, 0), expect("divided.y", 2, 1, 0);
+    flatten(p, &haw, PH_GL);
+    expect("flatten.x", 6, 1, 0), expect("flatten.y", 12, 1, 0), expect("flatten.z", -6, 1, 0);
+    expect("flatten.w", 2, 1, 0), expect("divided.x", 3, 1, 0), expect("divided.y", 6, 1, 0);
+    expect("divided.z", -3, 1, 0);
+    flatten(beside, &kaist, PH_GL);
+    expect("flatten.w", 0, 1, 0);
+    assert_null(strstr(printed, "divided"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_stage_is_the_documents_fraction),
         cmocka_unit_test(an_object_that_looks_turns_its_point),
         cmocka_unit_test(a_point_beside_the_eye_has_no_picture),
+        cmocka_unit_test(a_flattened_point_is_divided_by_its_w),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
