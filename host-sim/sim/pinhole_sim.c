@@ -16,6 +16,7 @@
 #include "sim_list.h"
 #include "sim_options.h"
 #include "sim_player.h"
+#include "sim_show.h"
 #include "sim_tell.h"
 #include "sim_window.h"
 #include "sim_wrong.h"
@@ -434,6 +435,7 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
                      ? sim_tell_cameras(o, report_file(&stage->out), p, stage->chosen->writing)
                      : 0;
     uint64_t before_us = now_us();
+    sim_show_depth(o->show != NULL); /* model files are framed by pictures, before */
     for (uint32_t i = 0; drawn && i < o->frames && status == 0 && signal_stop == 0; i++) {
         const uint64_t us = now_us();
         runner_pass(&p->runner, (uint32_t)(us - before_us));

@@ -6,8 +6,9 @@
 
 #include <math.h>
 
-#define SCALE_ONE (2 << 20) /* a height of 2, in units in which a scale is the distance at which it fills the picture  \
-                             */
+#define SCALE_ONE                                                                                                      \
+    (2 << 20) /* a height of 2, in units in which a scale is the distance at which it fills the picture                \
+               */
 
 /* The field of view that a height fills at a distance. */
 static void put_fov(FILE *file, const char *name, fx_t height, fx_t distance)

@@ -293,6 +293,11 @@ static const struct option_row rows[] = {
      "        projection is parallel, else float16. A float has N bits of exponent, by default those that the lens\n"
      "        needs (--stats names them). The 24-bit formats take twice the memory, linear-w a reciprocal per pixel",
      OPTION_DEPTH_VALUES, .set = set_depth, .alias = OPTION_DEPTH_ALIAS},
+    {"show", "depth",
+     "shows the depth buffer in place of the picture: grey is a code's share of the largest one, as --point prints "
+     "it.\n"
+     "        White is the near plane, black is where nothing is; --depth and the lens decide what lies between",
+     "depth", .at = offsetof(struct sim_options, show), .words = "depth"},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
      .at = offsetof(struct sim_options, band), .least = 1, .most = SIZE_LIMIT},
     {"aa", NULL, "antialiasing: 2 x 2 samples a pixel, in bands of a quarter of the height; at most 512x512 pixels",
@@ -444,6 +449,9 @@ static int check_together(const struct sim_options *o)
     }
     if (o->board != NULL && o->width != 0) {
         return complain_usage("--board and --size exclude each other");
+    }
+    if (o->show != NULL && (o->antialias || o->overlay)) {
+        return complain_usage("--show depth excludes --aa and --overlay: it shows a code for each pixel");
     }
     if (o->action == OPTION_RUN && o->out == NULL && o->check == NULL && !o->crc && !o->stats && !o->matrix &&
         !o->point_set && o->frustum_z == 0 && !o->show_window) {

@@ -41,6 +41,7 @@ struct sim_options {
     uint32_t band;          /* lines, 0: the board's own */
     struct option_depth depth;
     uint8_t convention; /* enum ph_convention */
+    const char *show;   /* "depth", or NULL: the picture */
     bool crc, stats, json, overlay, antialias, matrix, show_window;
     bool factors; /* --matrix factors */
     bool anyway;  /* draws matrices that are no camera */

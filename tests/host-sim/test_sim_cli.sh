@@ -323,6 +323,15 @@ a_camera_rides_on_a_mesh() {
         refuses 2 'frame 0 has 6 meshes' --demo solar --camera eye=0,0,2 --parent 6 --crc
 }
 
+# The depth buffer has greys only (as far as RGB565 has them), differs by format, and goes the way to any kit's glass.
+depth_is_shown_in_greys() {
+    differ --demo cube "${small[@]}" --show depth -- --demo cube "${small[@]}" &&
+        differ --demo cube "${small[@]}" --show depth --depth fixed16 -- --demo cube "${small[@]}" --show depth --depth float16 &&
+        same --demo focus "${small[@]}" --show depth --band 7 -- --demo focus "${small[@]}" --show depth && crcs --demo solar --board waveshare-rp2040-lcd-1in28 --show depth &&
+        "$sim" --demo cube "${small[@]}" --show depth --out - | od -An -v -tu1 -w3 -j13 |
+        awk '{ most = $1 > $2 ? $1 - $2 : $2 - $1; wrong += $1 != $3 || most > 8; bright += $1 > 0 } END { exit wrong > 0 || bright < 100 }'
+}
+
 # Each command for teachers (host-sim/README.md) draws or prints something; the one that shows a mistake is refused.
 the_teachers_commands_work() {
     local words status
@@ -617,6 +626,7 @@ check each_convention_is_typed_as_it_is_written each_convention_is_typed_as_it_i
 check a_wrong_matrix_is_explained_and_drawn a_wrong_matrix_is_explained_and_drawn
 check a_point_is_told_at_every_stage a_point_is_told_at_every_stage
 check a_camera_rides_on_a_mesh a_camera_rides_on_a_mesh
+check depth_is_shown_in_greys depth_is_shown_in_greys
 check the_teachers_commands_work the_teachers_commands_work
 check a_picture_of_16_to_9_has_its_own_width a_picture_of_16_to_9_has_its_own_width
 check all_cameras_of_a_demo_are_printed all_cameras_of_a_demo_are_printed

@@ -157,6 +157,8 @@ static void options_that_exclude_each_other_are_told(void **state)
         {"--crc --focal -1", "--focal: below 0 it turns the view"},
         {"--crc --flatten kaist-4.7", "--flatten: is printed with --matrix"},
         {"--crc --parent 2", "--parent: of which camera?"},
+        {"--crc --show depth --aa", "--show depth excludes --aa"},
+        {"--crc --show depth --overlay", "--show depth excludes --aa and --overlay"},
         {"--frustum 2 --projection fisheye", "--frustum: a fisheye has none"},
         {"--matrix --projection fisheye", "--matrix: a fisheye has no matrix"},
     };
@@ -178,6 +180,7 @@ static void wrong_values_are_told(void **state)
         {"--frustum 1,2,3", "--frustum"},
         {"--crc --camera eye=0,0,5 --parent -1", "--parent"},
         {"--matrix factor", "--matrix"},
+        {"--crc --show colour", "--show"},
         {"--crc --far", "--far"},
         {"--crc --focal 0", "--focal"},
         {"--crc --focal -32768 --camera eye=0,0,5", "--focal"},
