@@ -64,6 +64,14 @@ static void what_is_wrong_with_a_lens_has_its_element(void **state)
          "is a lens as another convention writes it; give --convention d3d"},
         {PH_GL, "-.5,0,0,0,0,-1,0,0,0,0,-1.5,-5,0,0,1,0",
          "is a lens as another convention writes it; give --convention lmu"},
+        {PH_GL, ".5,0,0,0,0,1,0,0,0,0,.25,2.5,0,0,-1,0",
+         "is a lens as another convention writes it; give --convention reversed"},
+        {PH_GL, "-.5,0,0,0,0,-1,0,0,0,0,-1.5,5,0,0,-1,0",
+         "row 0, column 0 has the other sign: the picture is mirrored left to right; row 1, column 1 has the other "
+         "sign: the picture is upside down; row 2, column 3 has the other sign: near goes to 4, not -1, and far to 2, "
+         "not 1"},
+        {PH_LMU, ".5,0,0,0,0,1,0,0,0,0,.25,1.5,0,0,0,-1",
+         "row 3, column 3 has the other sign: w is below 0 for what lies before the camera"},
         {PH_GL, ".5,.125,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,0", "row 0, column 1 is 0.125 and must be 0"},
         {PH_GL, ".5,0,0,0,0,1,0,0,0,0,-1.5,-5,.125,0,-1,0", "row 3, column 0 is 0.125 and must be 0"},
         {PH_GL, ".5,0,0,0,0,1,0,0,0,0,-1,-4,0,0,-1,0", "the far plane is infinitely far away, and Pinhole's is not"},
@@ -209,6 +217,9 @@ static void a_depth_that_is_nowhere_in_range_draws_nothing(void **state)
     assert_true(sim_matrix_read(".5,0,0,0,0,1,0,0,0,0,-1,-4,0,0,-1,0", &lens)); /* 1 - 4 / w: from 2 on */
     assert_int_equal(sim_wrong_camera(&view, &lens, PH_GL, &drawn, &p), 0);
     assert_true(p.near_z == FX_INT(2) && p.far_z == FX_INT(32767));
+    assert_true(sim_matrix_read("2,0,0,0,0,2,0,0,0,0,2,0,0,0,-1,0", &lens)); /* -2 everywhere: .1 is 6553.6 steps */
+    assert_int_equal(sim_wrong_camera(&view, &lens, PH_GL, &drawn, &p), 0);
+    assert_true(p.near_z == 6554 && p.far_z == FX_INT(1000));
     assert_true(sim_matrix_read("5000,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,0", &lens)); /* 5000 is not in Q12.20 */
     assert_int_equal(sim_wrong_camera(&view, &lens, PH_GL, &drawn, &p), PH_ERR_RANGE);
 }
