@@ -49,17 +49,17 @@
 /* 70h by pimoroni-pico's st7789.cpp at ROTATE_0. */
 #define PICO_DISPLAY_PACK                                                                                              \
     .pinout = "https://shop.pimoroni.com/products/pico-display-pack", .panel = &panel_st7789_135x240,                  \
-    .rotation = PANEL_R90, .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 6, PICO_PIMORONI
+    .rotation = PANEL_R90, .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 5, PICO_PIMORONI
 
 /* 2.0 and 2.8, whose glass alone differs in size. */
 #define PICO_DISPLAY_PACK_2(page)                                                                                      \
     .pinout = "https://shop.pimoroni.com/products/" page, .panel = &panel_st7789_240x320, .rotation = PANEL_R90,       \
-    .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 5, PICO_PIMORONI
+    .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 3, PICO_PIMORONI
 
 /* 70h by Waveshare's LCD_1in3.c, HORIZONTAL. */
 #define PICO_WAVESHARE_1IN3                                                                                            \
     .pinout = "https://www.waveshare.com/wiki/Pico-LCD-1.3", .panel = &panel_st7789_240x240, .rotation = PANEL_R90,    \
-    .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 6, PICO_WAVESHARE(13), PICO_WAVESHARE_JOYSTICK
+    .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 5, PICO_WAVESHARE(13), PICO_WAVESHARE_JOYSTICK
 
 /* A8h by Waveshare's Pico-LCD-0.96.py. */
 #define PICO_GLASS_0IN96                                                                                               \
@@ -74,7 +74,7 @@
 /* 08h after B6h 20h (columns reversed) by Waveshare's LCD_1in28.c. No buttons. */
 #define PICO_WAVESHARE_1IN28(page)                                                                                     \
     .pinout = page, .panel = &panel_gc9a01_240x240, .rotation = PANEL_R0, .format = PANEL_RGB565, .spi_hz = 62500000,  \
-    .band_buffers = 6, PICO_WAVESHARE(25)
+    .band_buffers = 5, PICO_WAVESHARE(25)
 /* NOLINTEND(bugprone-macro-parentheses) */
 
 #endif

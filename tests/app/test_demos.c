@@ -151,7 +151,8 @@ static void each_level_of_a_demo_is_coarser_and_fits_its_lists(void **state)
             assert_true(bytes > 0 && bytes <= level->arena_bytes);
             assert_true(level->triangle_max < finer->triangle_max && level->arena_bytes <= finer->arena_bytes);
             for (uint32_t size = 0; size < sizeof kits / sizeof kits[0]; size++) {
-                if (level->enough_px == kits[4][1] && size != 4) { /* a fisheye's triangles become more with the size */
+                const bool least = i + 1 == demo->coarser_count && strcmp(demo->name, "fisheye") == 0;
+                if (least && size != 4) { /* its triangles become more with the size: it is for a small picture */
                     continue;
                 }
                 const uint32_t vertices = vertices_at(demo, level, kits[size][0], kits[size][1]);

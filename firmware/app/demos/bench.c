@@ -225,6 +225,7 @@ const struct demo demo_torus = {
     .triangle_max = 512,
     .coarser = &torus_coarser,
     .coarser_count = 1,
+    .by_name_only = true, /* `shadow` has a ring that looks like something */
     .init = torus_init,
     .frame = object_frame,
 };
@@ -272,6 +273,7 @@ const struct demo demo_icosphere = {
     .triangle_max = 1900,
     .coarser = icosphere_coarser,
     .coarser_count = sizeof icosphere_coarser / sizeof icosphere_coarser[0],
+    .by_name_only = true, /* `yard` has it dressed up */
     .init = icosphere_init,
     .frame = object_frame,
 };
@@ -292,6 +294,7 @@ const struct demo demo_ground = {
     .corner_max = 224,
     .coarser = &ground_coarser,
     .coarser_count = 1,
+    .by_name_only = true, /* `yard` has it dressed up */
     .init = ground_init,
     .frame = ground_frame,
 };

@@ -16,8 +16,10 @@
 #define SEGMENTS    2
 #define QUARTERS    4
 #define TEXTS       2
+#define LINE_SIZE   32
 #define NEAR_Z      FX_ONE
 #define FAR_Z       FX_INT(12)
+#define SCALE_Q20   (DEMO_SCALE_60_Q20 * 5 / 2) /* across the smaller side of a quarter */
 
 /* The camera as it comes out of a convention's own way to write it. */
 struct taken_camera {
@@ -65,15 +67,26 @@ static int written_in(enum ph_convention convention, struct ph_xform *view, fx_t
     return ph_camera_from(convention, view, near_z, far_z);
 }
 
-/* The whole picture's projection for one of its quarters: half the scale, shifted by a quarter of the picture. */
+/* Lines of text of a quarter. All stand in a strip along the middle of the picture, the pots above and below it. */
+static int32_t text_lines(const struct demo_context *context)
+{
+    return context->height >= 200 ? 3 : context->height >= 96 ? 2 : 1;
+}
+
+/* The whole picture's projection for one of its quarters. Its height is as many sixteenths of the picture's as the
+ * strip leaves, so that the shift has no rounding and all pots get the same pixels. */
 static struct ph_projection in_quarter(const struct demo_context *context, uint32_t i, fx_t near_z, fx_t far_z)
 {
-    struct ph_projection p = demo_perspective(context, DEMO_SCALE_60_Q20 * 3 / 2, near_z, far_z);
-    p.scale_x_q20 /= 2;
-    p.scale_y_q20 /= 2;
-    p.shift_x = i & 1 ? -FX_HALF : FX_HALF;
-    p.shift_y = i & 2 ? FX_HALF : -FX_HALF;
-    return p;
+    const int32_t w = context->width, h = context->height, free_px = h / 2 - DEMO_TEXT_LINE * text_lines(context) - 1;
+    const int32_t sixteenths = free_px > 0 ? free_px * 16 / h : 8; /* without room, half of the picture */
+    const int32_t high = h * sixteenths / 16, wide = w / 3, across = high < wide ? high : wide;
+    return (struct ph_projection){.kind = PH_PERSPECTIVE,
+                                  .scale_x_q20 = (int32_t)(fx_mul_wide(SCALE_Q20, across) / w),
+                                  .scale_y_q20 = (int32_t)(fx_mul_wide(SCALE_Q20, across) / h),
+                                  .shift_x = i & 1 ? -FX_HALF : FX_HALF,
+                                  .shift_y = (16 - sixteenths) * (i & 2 ? FX_ONE / 16 : -FX_ONE / 16),
+                                  .near_z = near_z,
+                                  .far_z = far_z};
 }
 
 static int take_camera(const struct demo_context *context, uint32_t i, struct taken_camera *camera)
@@ -90,7 +103,8 @@ static int conventions_init(struct demo_context *context)
     if (!c || model_teapot(&context->arena, &c->pot, SEGMENTS) != PH_OK) {
         return PH_ERR_NOMEM;
     }
-    c->china = demo_lit(c->ramp, PH_SHADE_GOURAUD, 235, 150, 70);
+    c->china = demo_lit(c->ramp, PH_SHADE_GOURAUD, demo_bright(context, 235), demo_bright(context, 150),
+                        demo_bright(context, 70));
     context->state = c;
     for (uint32_t i = 0; i < QUARTERS; i++) {
         if (describe((enum ph_convention)i, c->texts[i]) != PH_OK || take_camera(context, i, &c->cameras[i]) != PH_OK) {
@@ -108,43 +122,49 @@ static int conventions_frame(struct demo_context *context, struct ph_renderer *r
     context->frame = frame;
     for (uint32_t i = 0; i < QUARTERS && status == PH_OK; i++) {
         const struct taken_camera *const camera = &c->cameras[i];
-        status = i == 0
-                     ? demo_begin(context, r, &camera->view, &camera->projection, &demo_daylight, ph_rgb565(24, 32, 48))
-                     : demo_camera(context, r, &camera->view, &camera->projection);
+        status = i == 0 ? demo_begin(context, r, &camera->view, &camera->projection, &demo_daylight,
+                                     demo_sky(context, 24, 32, 48))
+                        : demo_camera(context, r, &camera->view, &camera->projection);
         status = status ? status : ph_draw_mesh(r, &c->pot, &turn);
     }
     return status;
 }
 
-/* Draws a text around `middle`, if it reaches into the band. */
-static void label(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t middle,
-                  int32_t y, const char *text)
+/* Writes a line of a quarter's text. In low pictures the first line has the name and depth, or, if it is the only one,
+ * half of the time the signs in place of depth; narrow ones have name and depth one after the other. */
+static void write_line(const struct demo_context *context, uint32_t i, int32_t line, char text[LINE_SIZE])
 {
-    if (demo_text_reaches(r, band, lines, y)) {
-        demo_text(r, band, lines, pixels, middle - ph_overlay_width(text, 1) / 2, y, text);
+    static const char *const names[QUARTERS][2] = {{"GL", "GL"}, {"D3D", "D3D"}, {"LMU", "LMU"}, {"REVERSED", "REV"}};
+    const struct conventions *const c = context->state;
+    const int32_t count = text_lines(context);
+    const bool second = context->frame % LOOP_FRAMES >= LOOP_FRAMES / TEXTS, narrow = context->width < 120;
+    char *end = text;
+    if (line > 0) {
+        demo_add_text(text, c->texts[i][line - 1]);
+        return;
+    }
+    if (count == 3 || !narrow || !second) {
+        end = demo_add_text(end, names[i][count < 3]);
+        end = count < 3 && !narrow ? demo_add_text(end, " ") : end;
+    }
+    if (count < 3 && (!narrow || second)) {
+        demo_add_text(end, c->texts[i][count == 1 && second && !narrow ? 0 : 1]);
     }
 }
 
 static uint32_t conventions_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
-    static const char *const names[QUARTERS] = {"GL", "D3D", "LMU", "REVERSED"};
-    const struct conventions *const c = context->state;
     const uint32_t lines = ph_draw_band(r, band, pixels);
-    const int32_t inset = context->height / 8 - 6; /* so that a round glass shows the labels, too */
-    const bool low = context->height < 96;         /* there is room for one line at a time */
-    const int32_t y0 = (int32_t)(band * (r->config.band_height >> r->samples_log2)), half = context->height / 2;
-    /* Quarters of the band; where halves have no room for their labels, all. */
-    const bool roomy = context->height >= 32;
-    const uint32_t from = roomy && y0 > half ? 2 : 0, end = roomy && y0 + (int32_t)lines < half ? 2 : QUARTERS;
-    for (uint32_t i = from; i < end; i++) {
-        const int32_t middle = context->width * (i & 1 ? 3 : 1) / 4;
-        const int32_t top = (i & 2 ? context->height / 2 : 0) + (inset > 2 ? inset : 2);
-        label(r, band, lines, pixels, middle, top, names[i]);
-        const int32_t first = low ? (int32_t)(context->frame / (LOOP_FRAMES / TEXTS) % TEXTS) : 0,
-                      least = low ? 1 : TEXTS;
-        for (int32_t k = first; k < first + least; k++) {
-            const int32_t bottom = (i & 2 ? context->height : context->height / 2) - (i & 2 && inset > 2 ? inset : 2);
-            label(r, band, lines, pixels, middle, bottom - (least - k + first) * PH_FONT_HEIGHT, c->texts[i][k]);
+    const int32_t count = text_lines(context), middle = context->height / 2;
+    for (uint32_t i = 0; i < QUARTERS; i++) {
+        const int32_t x = context->width * (i & 1 ? 3 : 1) / 4, top = middle + (i & 2 ? 2 : -count * DEMO_TEXT_LINE);
+        for (int32_t k = 0; k < count; k++) {
+            const int32_t y = top + k * DEMO_TEXT_LINE;
+            char text[LINE_SIZE];
+            if (demo_text_reaches(r, band, lines, y)) {
+                write_line(context, i, k, text);
+                demo_text(r, band, lines, pixels, x - ph_overlay_width(text, 1) / 2, y, text);
+            }
         }
     }
     return lines;

@@ -44,13 +44,43 @@ struct demo_fit demo_fit(const struct demo_context *context, const struct ph_mes
 struct demo_context demo_half(const struct demo_context *context);
 struct ph_projection demo_in_half(const struct demo_context *context, struct ph_projection lens, bool second);
 
-/* Draws text in the middle of a half's line number `line`, from its top; negative: from its bottom. */
+/*
+ * Labels stand in a strip that the scene leaves free: above it, or above each half. They keep 2 pixels from the edge of
+ * the glass. A square picture of 200 lines or more may be a round glass, the inscribed circle. There the strip begins
+ * further down, and the labels of halves stand nearer to each other: up to 77 pixels of 240 wide they are on the glass.
+ */
+bool demo_may_be_round(const struct demo_context *context);
+
+/* Rows of the picture above the first line of text: 2, or what a round glass needs. */
+int32_t demo_text_inset(const struct demo_context *context);
+
+/* The lens for the part of a picture of that height that is below a strip of so many rows at its top. */
+struct ph_projection demo_below(struct ph_projection lens, int32_t height, int32_t strip);
+
+/* Rows that so many lines of text take at the top of a picture, or of a half. */
+#define DEMO_TEXT_LINE (PH_FONT_HEIGHT + 1)
+int32_t demo_strip(const struct demo_context *context, int32_t lines);
+
+/* Draws line number `line` of a half's strip. */
 void demo_half_text(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
                     uint16_t *pixels, bool second, int32_t line, const char *text);
 
 /* The row of the picture in which line `line` of a half begins; it is PH_FONT_HEIGHT rows high, and has an outline of
  * one. */
 int32_t demo_half_text_y(const struct demo_context *context, bool second, int32_t line);
+
+/* Writes `more` at `to` with its final 0. Returns where that is: the place for what follows. */
+char *demo_add_text(char *to, const char *more);
+
+/*
+ * A picture of up to 64 lines or columns is mostly on glass of one bit a pixel, or a few: there figures are told from
+ * what is behind them by brightness alone. So the sky is black there, what lies on the ground has a quarter of its
+ * brightness, and figures are mixed with white. In all other pictures the colours are as given.
+ */
+bool demo_is_small(const struct demo_context *context);
+uint16_t demo_sky(const struct demo_context *context, uint8_t red, uint8_t green, uint8_t blue);
+struct ph_material demo_tile(const struct demo_context *context, uint8_t red, uint8_t green, uint8_t blue); /* unlit */
+uint8_t demo_bright(const struct demo_context *context, uint8_t value); /* of a figure's red, green or blue */
 
 /* Calls ph_frame_begin with the user's camera if there is one, else with the demo's. */
 int demo_begin(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,

@@ -7,7 +7,9 @@
 
 #define LOOP_FRAMES  256
 #define CELLS        6
-#define CELLS_FEW    3 /* and the things' sides, where memory is small */
+#define CELLS_SOME   4 /* and the things' sides, where memory is less */
+#define SIDES_SOME   7
+#define CELLS_FEW    3 /* where it is small */
 #define SIDES_FEW    5
 #define FOV_FEW      FX_INT(84)
 #define WALLS        6
@@ -23,13 +25,15 @@ static const struct model_point pawn[THING_POINTS] = {
 
 struct fisheye {
     struct ph_mesh floor, thing;
-    bool fine;
+    uint32_t cells; /* along a wall */
     struct ph_material tiles[WALLS][2], things[THINGS];
     uint16_t ramps[THINGS][PH_RAMP_SIZE];
 };
 
 #define ARENA(sides, cells)                                                                                            \
     (MODEL_ROUND8(sizeof(struct fisheye)) + MODEL_LATHE_BYTES(sides, THING_POINTS, 1) + MODEL_FLOOR_BYTES(cells))
+
+#define ARENA_SOME ARENA(SIDES_SOME, CELLS_SOME)
 
 static int fisheye_init(struct demo_context *context)
 {
@@ -48,14 +52,15 @@ static int fisheye_init(struct demo_context *context)
     for (uint32_t i = 0; i < THINGS; i++) {
         f->things[i] = demo_lit(f->ramps[i], PH_SHADE_GOURAUD, colours[i][0], colours[i][1], colours[i][2]);
     }
-    const bool fine = context->arena.size >= ARENA(THING_SIDES, CELLS);
-    f->fine = fine;
+    const size_t size = context->arena.size;
+    const uint32_t cells = size >= ARENA(THING_SIDES, CELLS) ? CELLS : size >= ARENA_SOME ? CELLS_SOME : CELLS_FEW;
+    const uint32_t sides = cells == CELLS ? THING_SIDES : cells == CELLS_SOME ? SIDES_SOME : SIDES_FEW;
+    f->cells = cells;
     context->state = f;
-    if (model_lathe(&context->arena, &f->thing, pawn, THING_POINTS, fine ? THING_SIDES : SIDES_FEW, 1, f->things) !=
-        PH_OK) {
+    if (model_lathe(&context->arena, &f->thing, pawn, THING_POINTS, sides, 1, f->things) != PH_OK) {
         return PH_ERR_NOMEM;
     }
-    return model_floor(&context->arena, &f->floor, fine ? CELLS : CELLS_FEW, f->tiles[0]);
+    return model_floor(&context->arena, &f->floor, cells, f->tiles[0]);
 }
 
 /* The floor, the ceiling and four walls; each is a floor, turned so that it faces the middle. */
@@ -70,7 +75,7 @@ static struct ph_xform wall(uint32_t i)
 
 static int draw_room(struct ph_renderer *r, const struct fisheye *f)
 {
-    const struct ph_xform size = ph_xform_scale(f->fine ? FX_ONE : FX_ONE * CELLS / CELLS_FEW);
+    const struct ph_xform size = ph_xform_scale(FX_INT(CELLS) / (fx_t)f->cells);
     int status = PH_OK;
     for (uint32_t i = 0; i < WALLS && status == PH_OK; i++) {
         const struct ph_xform side = wall(i), place = ph_xform_mul(&side, &size);
@@ -98,7 +103,7 @@ static int fisheye_frame(struct demo_context *context, struct ph_renderer *r, ui
     struct ph_xform view = ph_xform_mul(&turn, &at);
     view = ph_xform_mul(&down, &view);
     const struct fisheye *const f = context->state;
-    const fx_t fov = f->fine ? (context->height > context->width ? FX_INT(200) : FX_INT(180)) : FOV_FEW;
+    const fx_t fov = f->cells == CELLS_FEW ? FOV_FEW : context->height > context->width ? FX_INT(200) : FX_INT(180);
     int status = ph_projection_fisheye(&projection, fov, FX_ONE / 8, FX_INT(12));
     status = status ? status : demo_begin(context, r, &view, &projection, &demo_daylight, 0);
     return status ? status : draw_room(r, f);
@@ -113,11 +118,14 @@ static const struct demo_level coarser[] = {
      .vertex_max = VERTICES(THING_SIDES, CELLS),
      .triangle_max = 2640,
      .corner_max = 2800},
+    {.arena_bytes = ARENA_SOME,
+     .vertex_max = VERTICES(SIDES_SOME, CELLS_SOME),
+     .triangle_max = 2300,
+     .corner_max = 2050},
     {.arena_bytes = ARENA(SIDES_FEW, CELLS_FEW),
      .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW),
      .triangle_max = 520,
-     .corner_max = 540,
-     .enough_px = 64},
+     .corner_max = 540},
 };
 
 const struct demo demo_fisheye = {

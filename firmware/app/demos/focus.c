@@ -48,10 +48,11 @@ static int focus_init(struct demo_context *context)
         return PH_ERR_NOMEM;
     }
     for (uint32_t i = 0; i < SKITTLES; i++) {
-        f->colours[i] = demo_lit(f->ramps[i], PH_SHADE_GOURAUD, colours[i][0], colours[i][1], colours[i][2]);
+        f->colours[i] = demo_lit(f->ramps[i], PH_SHADE_GOURAUD, demo_bright(context, colours[i][0]),
+                                 demo_bright(context, colours[i][1]), demo_bright(context, colours[i][2]));
     }
-    f->tiles[0] = demo_unlit(70, 84, 100);
-    f->tiles[1] = demo_unlit(150, 160, 165);
+    f->tiles[0] = demo_tile(context, 70, 84, 100);
+    f->tiles[1] = demo_tile(context, 150, 160, 165);
     const bool fine = context->arena.size >= ARENA(SIDES, CELLS);
     f->floor_scale = fine ? FX_ONE : FX_ONE * CELLS / CELLS_FEW;
     context->state = f;
@@ -77,7 +78,7 @@ static int focus_frame(struct demo_context *context, struct ph_renderer *r, uint
     struct focus *const f = context->state;
     const struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_HALF, FX_INT(24));
     const struct ph_xform view = demo_look(0, FX_ONE * 13 / 10, FX_ONE * 3, 0, FX_ONE * 8 / 10, 0);
-    int status = demo_begin(context, r, &view, &projection, &demo_daylight, ph_rgb565(120, 150, 190));
+    int status = demo_begin(context, r, &view, &projection, &demo_daylight, demo_sky(context, 120, 150, 190));
     for (int32_t i = 0; i < SKITTLES && status == PH_OK; i++) {
         struct ph_mesh mesh = f->skittle;
         const struct ph_xform place =

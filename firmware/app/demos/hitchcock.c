@@ -48,6 +48,7 @@
 #define WALK       9 /* pieces of floor, of 2 x 2 cells */
 #define ZOOM_PAIRS 6
 #define ZOOM_FEW   3
+#define SHOT_TEXT  (4 + FX_TEXT_SIZE + 4 + FX_TEXT_SIZE)
 
 static const struct model_point top_profile[] = {
     {0, 0},
@@ -117,11 +118,12 @@ static int make_scene(struct demo_context *context, const struct fineness *f)
         return PH_ERR_NOMEM;
     }
     for (uint32_t i = 0; i < TOP_STRIPES; i++) {
-        h->stripes[i] = demo_lit(h->ramps[i], PH_SHADE_GOURAUD, colours[i][0], colours[i][1], colours[i][2]);
+        h->stripes[i] = demo_lit(h->ramps[i], PH_SHADE_GOURAUD, demo_bright(context, colours[i][0]),
+                                 demo_bright(context, colours[i][1]), demo_bright(context, colours[i][2]));
     }
     h->stone = demo_lit(h->ramps[TOP_STRIPES], PH_SHADE_GOURAUD, 225, 205, 175);
-    h->tiles[0] = demo_unlit(92, 72, 78);
-    h->tiles[1] = demo_unlit(140, 112, 104);
+    h->tiles[0] = demo_tile(context, 92, 72, 78);
+    h->tiles[1] = demo_tile(context, 140, 112, 104);
     h->floor_scale = f->cells == CELLS_FEW ? FLOOR_SCALE * CELLS / CELLS_FEW : FLOOR_SCALE;
     h->near_pairs = f->near_pairs;
     h->pairs = f->zoom_pairs;
@@ -164,13 +166,17 @@ static int hitchcock_camera(const struct demo_context *context, struct ph_render
     const fx_t distance = distance_at(frame);
     const struct ph_xform view = ph_xform_translate(0, -EYE_HEIGHT, -distance);
     const int status = lens_of(context, ph_fov_of(VIEW_HEIGHT, distance), distance, &lens);
-    return status ? status : demo_begin(context, r, &view, &lens, &demo_daylight, ph_rgb565(150, 190, 225));
+    if (context->width < 64 || context->height < 64) {
+        lens = demo_below(lens, context->height, demo_strip(context, 1));
+    }
+    return status ? status : demo_begin(context, r, &view, &lens, &demo_daylight, demo_sky(context, 150, 190, 225));
 }
 
 static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct hitchcock *const h = context->state;
     const struct ph_xform spin = ph_xform_rotate_y(frame << 26); /* 8 turns a loop */
+    context->frame = frame;
     int status = hitchcock_camera(context, r, frame);
     status = status == PH_OK ? ph_draw_mesh(r, &h->top, &spin) : status;
     for (int32_t i = 0; i < 2 * PAIRS && status == PH_OK; i++) {
@@ -182,6 +188,21 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
     struct ph_xform below = ph_xform_scale(h->floor_scale);
     below.t.z = FLOOR_MIDDLE;
     return status ? status : ph_draw_mesh(r, &h->floor, &below);
+}
+
+/* The angle, in the gap of sky above the top; where that is narrow without its name, and not where it is narrower. */
+static uint32_t hitchcock_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
+{
+    const uint32_t lines = ph_draw_band(r, band, pixels);
+    const int32_t w = context->width, h = context->height, smaller = w < h ? w : h, y = 2 + smaller / 64;
+    if (smaller >= 40 && demo_text_reaches(r, band, lines, y)) {
+        char text[4 + FX_TEXT_SIZE] = "FOV ";
+        const bool named = smaller >= 128;
+        fx_to_text_rounded(ph_fov_of(VIEW_HEIGHT, distance_at(context->frame)), 0, text + 4);
+        const char *const shown = named ? text : text + 4;
+        demo_text(r, band, lines, pixels, (w - ph_overlay_width(shown, 1) + 1) / 2, y, shown);
+    }
+    return lines;
 }
 
 #define VERTICES(sides, column, far, cells)                                                                            \
@@ -252,13 +273,29 @@ static int zoom_frame(struct demo_context *context, struct ph_renderer *r, uint3
         const struct ph_xform view = ph_xform_translate(0, -EYE_HEIGHT, -shot.distance);
         struct ph_projection lens;
         status = lens_of(&half, shot.fov, shot.distance, &lens);
-        lens = demo_in_half(context, lens, dolly);
+        lens = demo_in_half(context, demo_below(lens, half.height, demo_strip(context, 2)), dolly);
         status = status  ? status
                  : dolly ? demo_camera(context, r, &view, &lens)
-                         : demo_begin(context, r, &view, &lens, &demo_daylight, ph_rgb565(150, 190, 225));
+                         : demo_begin(context, r, &view, &lens, &demo_daylight, demo_sky(context, 150, 190, 225));
         status = status ? status : draw_walk(r, context->state, frame);
     }
     return status;
+}
+
+/* Degrees and distance, "FOV 24 AT 9.0", as far as there is room; in the smallest halves one after the other. */
+static void write_shot(const struct demo_context *context, bool dolly, char text[SHOT_TEXT])
+{
+    const struct shot shot = shot_at(context->frame, dolly);
+    const uint16_t width = demo_half(context).width;
+    const bool tiny = width < 60;
+    if (!tiny || context->frame % (ZOOM_LOOP / 2) < ZOOM_LOOP / 4) {
+        text = demo_add_text(text, width >= 84 ? "FOV " : tiny ? "FOV" : "");
+        text += fx_to_text_rounded(shot.fov, 0, text);
+    }
+    if (!tiny || context->frame % (ZOOM_LOOP / 2) >= ZOOM_LOOP / 4) {
+        text = demo_add_text(text, tiny ? "AT" : " AT ");
+        fx_to_text_rounded(shot.distance, 1, text);
+    }
 }
 
 static uint32_t zoom_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
@@ -266,16 +303,11 @@ static uint32_t zoom_band(struct demo_context *context, struct ph_renderer *r, u
     const uint32_t lines = ph_draw_band(r, band, pixels);
     for (uint32_t dolly = 0; dolly < 2; dolly++) {
         demo_half_text(context, r, band, lines, pixels, dolly, 0, dolly ? "DOLLY" : "ZOOM");
-        if (!demo_text_reaches(r, band, lines, demo_half_text_y(context, dolly, -2)) &&
-            !demo_text_reaches(r, band, lines, demo_half_text_y(context, dolly, -1))) {
-            continue; /* the angle takes many sines */
+        if (demo_text_reaches(r, band, lines, demo_half_text_y(context, dolly, 1))) { /* the angle takes many sines */
+            char text[SHOT_TEXT];
+            write_shot(context, dolly, text);
+            demo_half_text(context, r, band, lines, pixels, dolly, 1, text);
         }
-        const struct shot shot = shot_at(context->frame, dolly);
-        char fov[4 + FX_TEXT_SIZE] = "FOV ", distance[5 + FX_TEXT_SIZE] = "DIST ";
-        fx_to_text_rounded(shot.fov, 0, fov + 4);
-        fx_to_text_rounded(shot.distance, 1, distance + 5);
-        demo_half_text(context, r, band, lines, pixels, dolly, -2, fov);
-        demo_half_text(context, r, band, lines, pixels, dolly, -1, distance);
     }
     return lines;
 }
@@ -318,4 +350,5 @@ const struct demo demo_hitchcock = {
     .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = hitchcock_init,
     .frame = hitchcock_frame,
+    .band = hitchcock_band,
 };

@@ -89,10 +89,11 @@ static struct ph_material lit(uint8_t red, uint8_t green, uint8_t blue, fx_t spe
                                 .colour = ph_rgb565(red, green, blue)};
 }
 
-static void fill_materials(struct materials *m)
+static void fill_materials(const struct demo_context *context, struct materials *m)
 {
-    m->tiles[0] = lit(200, 200, 210, 0);
-    m->tiles[1] = lit(120, 125, 140, 0);
+    const uint8_t share = demo_is_small(context) ? 4 : 1; /* as of demo_tile(), but lit */
+    m->tiles[0] = lit(200 / share, 200 / share, 210 / share, 0);
+    m->tiles[1] = lit(120 / share, 125 / share, 140 / share, 0);
     m->list[BALL] = lit(225, 225, 225, FX_ONE * 3 / 4);
     m->list[CUBE] = lit(255, 255, 255, 0);
     m->list[FENCE] = (struct ph_material){
@@ -139,7 +140,7 @@ static int materials_init(struct demo_context *context)
     }
     m->lights = lights;
     fill_textures(m);
-    fill_materials(m);
+    fill_materials(context, m);
     context->state = m;
     const bool fine = context->arena.size >= ARENA(LEVELS, CELLS);
     const int status = make_models(&context->arena, m, fine);
@@ -217,41 +218,48 @@ static int draw_blended(const struct materials *m, struct ph_renderer *r)
     return status;
 }
 
+static uint8_t title_scale(const struct demo_context *context)
+{
+    return context->width >= 200 ? 2 : 1;
+}
+
 static int materials_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     struct materials *const m = context->state;
     struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_HALF, FX_INT(24));
     struct ph_xform view = demo_look(0, FX_ONE * 32 / 10, FX_ONE * 64 / 10, 0, FX_ONE * 8 / 10, 0);
     const struct ph_xform turn = ph_xform_rotate_y((uint32_t)demo_swing(frame, LOOP_FRAMES) << 13);
-    const struct ph_fog fog = {ph_rgb565(60, 66, 96), FX_INT(6), FX_INT(13)};
+    const struct ph_fog fog = {demo_sky(context, 60, 66, 96), FX_INT(6), FX_INT(13)};
     m->frame = context->frame = frame;
     for (uint32_t i = 0; i < LAMPS; i++) {
         m->lights.lights[1 + i].position = lamp_at(frame, i);
     }
     view = ph_xform_mul(&view, &turn);
     demo_orbit(context, &view, &projection);
+    projection =
+        demo_below(projection, context->height, demo_text_inset(context) + title_scale(context) * DEMO_TEXT_LINE);
     int status = demo_begin(context, r, &view, &projection, &m->lights, fog.colour);
     status = status ? status : ph_frame_fog(r, &fog);
     status = status ? status : draw_solids(m, r);
     return status ? status : draw_blended(m, r);
 }
 
-/* A badge with the fence's pattern, and which frame it is. */
+/* Which frame it is, in the strip above the scene, and a badge with the fence's pattern, through which the scene is
+ * seen. */
 static uint32_t materials_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const struct materials *const m = context->state;
     const uint32_t lines = ph_draw_band(r, band, pixels), height = (uint32_t)r->config.band_height >> r->samples_log2;
     const struct ph_overlay_band over = {pixels, context->width, (int32_t)(band * height), (int32_t)lines};
     const struct ph_sprite badge = {m->fence, SIDE, SIDE, 20, true, KEY, NULL};
-    const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(20, 20, 40),
-                                           context->width >= 200 ? 2 : 1};
-    char number[PH_TEXT_NUMBER_SIZE];
-    ph_text_number(number, (int32_t)(context->frame % LOOP_FRAMES));
+    const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(20, 20, 40), title_scale(context)};
+    const int32_t inset = demo_text_inset(context), edge = demo_may_be_round(context) ? inset + 6 : 6;
+    char text[10 + PH_TEXT_NUMBER_SIZE];
+    ph_text_number(demo_add_text(text, "Materials "), (int32_t)(context->frame % LOOP_FRAMES));
     if (context->width >= 200) {
-        ph_overlay_sprite(&over, context->width - SIDE - 6, 6, &badge);
+        ph_overlay_sprite(&over, context->width - SIDE - edge, context->height - SIDE - edge, &badge);
     }
-    ph_text(&over, 4, 4, "Materials", &style);
-    ph_text(&over, 4, context->height - 10 * style.scale, number, &style);
+    ph_text(&over, (context->width - ph_text_width("Materials 888", style.scale)) / 2, inset, text, &style);
     return lines;
 }
 

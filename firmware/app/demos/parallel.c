@@ -71,16 +71,15 @@ static void draw_mark(struct ph_renderer *r, const struct parallel *p)
     ph_draw_line(r, (struct fx_vec3){0, at.y - arm, at.z}, (struct fx_vec3){0, at.y + arm, at.z}, &p->mark);
 }
 
-/* An orthographic projection 2.2 units wide and 6.8 high, with room for the label; one of them is more if the half
- * picture's shape needs it. */
+/* An orthographic projection 2.2 units wide and 5.8 high; one of them is more if the half picture's shape needs it. */
 static struct ph_projection all_rails(const struct demo_context *half)
 {
     const int32_t w = half->width, h = half->height;
-    const int32_t across = w * 34 < h * 11 ? w * 34 : h * 11; /* pixels a unit, times 74.8 */
+    const int32_t across = w * 29 < h * 11 ? w * 29 : h * 11; /* pixels a unit, times 63.8 */
     return (struct ph_projection){.kind = PH_ORTHOGRAPHIC,
-                                  .shift_y = FX_ONE / 6,
-                                  .scale_x_q20 = (int32_t)(((int64_t)across << 20) * 10 / 374 / w),
-                                  .scale_y_q20 = (int32_t)(((int64_t)across << 20) * 10 / 374 / h),
+                                  .shift_y = FX_ONE / 16,
+                                  .scale_x_q20 = (int32_t)(((int64_t)across << 20) * 10 / 319 / w),
+                                  .scale_y_q20 = (int32_t)(((int64_t)across << 20) * 10 / 319 / h),
                                   .near_z = FX_HALF,
                                   .far_z = FX_INT(30)};
 }
@@ -94,8 +93,8 @@ static int parallel_frame(struct demo_context *context, struct ph_renderer *r, u
     const struct ph_xform from_above =
         demo_look(0, FX_INT(5), RAILS_MIDDLE + FX_ONE * 83 / 10, 0, FX_ONE / 4, RAILS_MIDDLE);
     const struct ph_xform from_rails = demo_look(0, EYE_HEIGHT, 0, 0, EYE_HEIGHT - FX_ONE / 4, -FX_ONE);
-    deep = demo_in_half(context, deep, true);
-    flat = demo_in_half(context, flat, false);
+    deep = demo_in_half(context, demo_below(deep, half.height, demo_strip(context, 1)), true);
+    flat = demo_in_half(context, demo_below(flat, half.height, demo_strip(context, 1)), false);
     int status = demo_begin(context, r, &from_above, &flat, &demo_daylight, ph_rgb565(14, 20, 34));
     status = status ? status : draw_railway(r, p, frame);
     status = status ? status : demo_camera(context, r, &from_rails, &deep);
@@ -109,8 +108,9 @@ static int parallel_frame(struct demo_context *context, struct ph_renderer *r, u
 static uint32_t parallel_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const uint32_t lines = ph_draw_band(r, band, pixels);
-    demo_half_text(context, r, band, lines, pixels, false, 0, "PARALLEL");
-    demo_half_text(context, r, band, lines, pixels, true, 0, "PERSPECTIVE");
+    const bool narrow = demo_half(context).width < 72;
+    demo_half_text(context, r, band, lines, pixels, false, 0, narrow ? "ORTHO" : "PARALLEL");
+    demo_half_text(context, r, band, lines, pixels, true, 0, narrow ? "PERSP" : "PERSPECTIVE");
     return lines;
 }
 

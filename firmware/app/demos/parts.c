@@ -186,18 +186,74 @@ void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint1
     ph_overlay_text(&over, x, y, text, &style);
 }
 
+bool demo_may_be_round(const struct demo_context *context)
+{
+    return context->width == context->height && context->height >= 200;
+}
+
+int32_t demo_text_inset(const struct demo_context *context)
+{
+    return demo_may_be_round(context) ? context->height / 8 + 2 : 2;
+}
+
+int32_t demo_strip(const struct demo_context *context, int32_t lines)
+{
+    return demo_text_inset(context) + lines * DEMO_TEXT_LINE;
+}
+
+struct ph_projection demo_below(struct ph_projection lens, int32_t height, int32_t strip)
+{
+    const int32_t rest = strip < height ? height - strip : height; /* without room, all */
+    lens.scale_x_q20 = (int32_t)(fx_mul_wide(lens.scale_x_q20, rest) / height);
+    lens.scale_y_q20 = (int32_t)(fx_mul_wide(lens.scale_y_q20, rest) / height);
+    lens.shift_y = (fx_t)((fx_mul_wide(lens.shift_y, rest) + fx_mul_wide(FX_ONE, height - rest)) / height);
+    return lens;
+}
+
 int32_t demo_half_text_y(const struct demo_context *context, bool second, int32_t line)
 {
-    const bool upright = context->height > context->width;
-    const int32_t w = context->width, h = context->height, inset = h / 8 - 6 > 2 && w == h ? h / 8 - 6 : 2;
-    const int32_t from = second && upright ? h / 2 : 0, to = second || !upright ? h - inset : h / 2;
-    return (line < 0 ? to : from + inset) + line * (PH_FONT_HEIGHT + 1);
+    const int32_t w = context->width, h = context->height;
+    return (second && h > w ? h / 2 : 0) + demo_text_inset(context) + line * DEMO_TEXT_LINE;
 }
 
 void demo_half_text(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
                     uint16_t *pixels, bool second, int32_t line, const char *text)
 {
-    const int32_t w = context->width, middle = context->height > w ? w / 2 : second ? w * 3 / 4 : w / 4;
-    demo_text(r, band, lines, pixels, middle - ph_overlay_width(text, 1) / 2, demo_half_text_y(context, second, line),
-              text);
+    const int32_t w = context->width, h = context->height, length = ph_overlay_width(text, 1) - 1;
+    const int32_t y = demo_half_text_y(context, second, line);
+    const int32_t aside = h > w ? 0 : demo_may_be_round(context) ? w * 3 / 16 : w / 4;
+    const int32_t x = w / 2 + (second ? aside : -aside) - length / 2;
+    if (demo_text_reaches(r, band, lines, y)) {
+        demo_text(r, band, lines, pixels, x, y, text);
+    }
+}
+
+char *demo_add_text(char *to, const char *more)
+{
+    for (; *more != '\0'; more++) {
+        *to++ = *more;
+    }
+    *to = '\0';
+    return to;
+}
+
+bool demo_is_small(const struct demo_context *context)
+{
+    return context->width <= 64 || context->height <= 64;
+}
+
+uint16_t demo_sky(const struct demo_context *context, uint8_t red, uint8_t green, uint8_t blue)
+{
+    return demo_is_small(context) ? 0 : ph_rgb565(red, green, blue);
+}
+
+struct ph_material demo_tile(const struct demo_context *context, uint8_t red, uint8_t green, uint8_t blue)
+{
+    const uint8_t share = demo_is_small(context) ? 4 : 1;
+    return demo_unlit(red / share, green / share, blue / share);
+}
+
+uint8_t demo_bright(const struct demo_context *context, uint8_t value)
+{
+    return demo_is_small(context) ? (uint8_t)((value + 2 * 255) / 3) : value;
 }

@@ -97,6 +97,7 @@ static void make_cameras(const struct demo_context *context, struct pinhole *p)
     const struct demo_context half = demo_half(context);
     struct ph_projection flat = demo_perspective(&half, FX_ONE * 16 * 4 / 5, FX_HALF, FX_INT(4));
     flat.kind = PH_ORTHOGRAPHIC;
+    flat = demo_below(flat, half.height, demo_strip(context, 1));
     p->view = ph_xform_mul(&look, &back);
     p->lens = demo_perspective(context, scale_of(context), FX_HALF, FX_INT(20));
     p->halves[0] = demo_in_half(context, flat, false);
@@ -324,8 +325,9 @@ static uint32_t pinhole_band(struct demo_context *context, struct ph_renderer *r
 {
     const uint32_t lines = ph_draw_band(r, band, pixels);
     if (is_depth(context, context->frame)) {
-        demo_half_text(context, r, band, lines, pixels, false, 0, "Z KEPT");
-        demo_half_text(context, r, band, lines, pixels, true, 0, "A + B/Z");
+        const bool narrow = demo_half(context).width < 60;
+        demo_half_text(context, r, band, lines, pixels, false, 0, narrow ? "Z" : "Z KEPT");
+        demo_half_text(context, r, band, lines, pixels, true, 0, narrow ? "A+B/Z" : "A + B/Z");
     }
     shut(context, (int32_t)(band * (uint32_t)(r->config.band_height >> r->samples_log2)), lines, pixels);
     return lines;

@@ -32,7 +32,7 @@ enum { SUN, YEAR, EARTH, DAY, MONTH, MOON, EYE_SUN, EYE_MOON, EYE_FIXED, NODES }
 
 struct solar {
     struct ph_mesh sphere, sun, earth, moon, far_moon, glow, orbit; /* far_moon: it has a few pixels */
-    struct ph_material sun_colour, earth_colours[2], moon_colour, star, dim_star, orbit_colour;
+    struct ph_material sun_colour, earth_colours[2], moon_colour, star, dim_star, orbit_colour, mark;
     struct ph_part earth_parts[2], far_moon_part, glow_part;
     uint16_t ramps[3][PH_RAMP_SIZE];
     struct ph_node nodes[NODES];
@@ -172,6 +172,7 @@ static void solar_colours(struct solar *s)
     s->dim_star = demo_unlit(110, 120, 150);
     s->orbit_colour = demo_unlit(50, 66, 100);
     s->orbit_colour.shading = PH_SHADE_WIRE;
+    s->mark = demo_unlit(DEMO_MARK_COLOUR);
 }
 
 #define ARENA(n)                                                                                                       \
@@ -299,6 +300,18 @@ static int draw_round(struct ph_renderer *r, const struct ph_mesh *mesh, const s
     return ph_draw_mesh(r, mesh, &to_world);
 }
 
+/* A cross on the ground above which the eye of `fixed` hangs in the earth: its place is that of the view's middle, and
+ * the stars pass behind it. */
+static void draw_mark(struct ph_renderer *r, const struct solar *s)
+{
+    const fx_t arm = FX_ONE / 48;
+    for (uint32_t i = 0; i < 2; i++) {
+        const fx_t up = i > 0 ? arm : 0, aside = i > 0 ? 0 : arm;
+        const struct fx_vec3 from = {FX_HALF, -up, -aside}, to = {FX_HALF, up, aside};
+        ph_draw_line(r, ph_xform_point(&s->world[DAY], from), ph_xform_point(&s->world[DAY], to), &s->mark);
+    }
+}
+
 static int solar_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     struct solar *const s = context->state;
@@ -317,6 +330,9 @@ static int solar_frame(struct demo_context *context, struct ph_renderer *r, uint
         return status;
     }
     draw_stars(context, r, s);
+    if (demo_view_is(context, &demo_solar, EYE_FIXED - EYE_SUN + 1)) {
+        draw_mark(r, s);
+    }
     return draw_glow(r, s);
 }
 

@@ -64,6 +64,7 @@ static void paint_globe(struct yard *y)
     (MODEL_ROUND8(sizeof(struct yard)) + MODEL_ROUND8(sizeof(struct ph_part)) + MODEL_CUBE_BYTES +                     \
      MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(levels), MODEL_ICOSPHERE_TRIANGLES(levels)) + MODEL_FLOOR_BYTES(cells))
 #define ARENA_FINE ARENA(3, CELLS)
+#define ARENA_LESS ARENA(3, CELLS_FEW)
 #define ARENA_SOME ARENA(2, CELLS_SOME)
 #define ARENA_FEW  ARENA(1, CELLS_FEW)
 
@@ -71,19 +72,20 @@ static int yard_init(struct demo_context *context)
 {
     struct demo_arena *const arena = &context->arena;
     struct yard *const y = context->state = demo_alloc(arena, sizeof(*y));
-    const uint32_t levels = arena->size >= ARENA_FINE ? 3 : arena->size >= ARENA_SOME ? 2 : 1;
-    const uint32_t cells = levels == 3 ? CELLS : levels == 2 ? CELLS_SOME : CELLS_FEW;
+    const uint32_t levels = arena->size >= ARENA_LESS ? 3 : arena->size >= ARENA_SOME ? 2 : 1;
+    const uint32_t cells = arena->size >= ARENA_FINE ? CELLS : levels == 2 ? CELLS_SOME : CELLS_FEW;
     if (!y || model_cube(arena, &y->crate) != PH_OK || model_material(arena, &y->crate, &y->wood) != PH_OK ||
         model_icosphere(arena, &y->globe, levels) != PH_OK || model_floor(arena, &y->plain, cells, y->tiles) != PH_OK) {
         return PH_ERR_NOMEM;
     }
     make_wood(y);
+    y->wood.ambient = demo_is_small(context) ? FX_ONE : FX_ONE / 3;
     y->faces[0] = demo_lit(y->ramps[0], PH_SHADE_GOURAUD, 60, 130, 230);
     y->faces[1] = demo_lit(y->ramps[1], PH_SHADE_GOURAUD, 245, 245, 235);
     y->faces[2] = demo_lit(y->ramps[2], PH_SHADE_GOURAUD, 240, 90, 60);
-    y->tiles[0] = demo_unlit(196, 186, 150);
-    y->tiles[1] = demo_unlit(140, 150, 110);
-    y->shade = demo_unlit(84, 86, 76);
+    y->tiles[0] = demo_tile(context, 196, 186, 150);
+    y->tiles[1] = demo_tile(context, 140, 150, 110);
+    y->shade = demo_tile(context, 84, 86, 76);
     y->shade.depth_bias = 16;
     y->plain_scale = PLAIN / (fx_t)cells;
     paint_globe(y);
@@ -95,7 +97,7 @@ static int begin(const struct demo_context *context, struct ph_renderer *r, uint
     struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_ONE, FX_INT(40));
     struct ph_xform view = demo_look(0, FX_ONE * 9 / 4, FX_ONE * 21 / 4, 0, FX_ONE * 3 / 4, 0);
     const struct ph_xform turn = ph_xform_rotate_y(frame << 24);
-    const struct ph_fog fog = {.start = FX_INT(9), .end = FX_INT(22), .colour = ph_rgb565(SKY)};
+    const struct ph_fog fog = {.start = FX_INT(9), .end = FX_INT(22), .colour = demo_sky(context, SKY)};
     view = ph_xform_mul(&view, &turn);
     demo_orbit(context, &view, &projection);
     const int status = demo_begin(context, r, &view, &projection, &demo_daylight, fog.colour);
@@ -129,6 +131,7 @@ static int yard_frame(struct demo_context *context, struct ph_renderer *r, uint3
 #define VERTICES(levels, cells) (48 + 2 * MODEL_ICOSPHERE_VERTICES(levels) + MODEL_GROUND_VERTICES(cells))
 
 static const struct demo_level coarser[] = {
+    {.arena_bytes = ARENA_LESS, .vertex_max = VERTICES(3, CELLS_FEW), .triangle_max = 1400, .corner_max = 60},
     {.arena_bytes = ARENA_SOME, .vertex_max = VERTICES(2, CELLS_SOME), .triangle_max = 700, .corner_max = 100},
     {.arena_bytes = ARENA_FEW, .vertex_max = VERTICES(1, CELLS_FEW), .triangle_max = 260, .corner_max = 60},
 };

@@ -17,6 +17,7 @@
 #define LOOP_FRAMES 256
 #define PAIRS       6
 #define TITLE       10 /* bytes of a label */
+#define LEAST_PX    3  /* half a plate with a number above it */
 #define NEAR_Z      (FX_ONE / 4)
 #define FAR_Z       FX_INT(200)
 #define GAP         (FX_ONE / 64) /* between the plates of a pair */
@@ -35,35 +36,59 @@ struct zfight {
     uint64_t list[1024 / 8];
 };
 
-/* How the pairs of a side are arranged. Half the size of a plate and the distance between pairs are in shares of the
- * pairs' distance. */
+/* How the pairs of a side are arranged, in pixels. */
 struct layout {
     int32_t columns, rows;
-    fx_t half, step_x, step_y;
+    int32_t cell_width, cell_height; /* of a pair, with its number above it */
+    int32_t number;                  /* rows for the number; 0: there is no room, and one text has the range */
+    int32_t half;                    /* of a plate */
+    int32_t top, outside;            /* rows above the cells; columns beside them, away from the other side */
 };
 
-/* The arrangement with the largest plates. There is one more row above, for the label. */
+/* Where the glass may be round, the cells keep away from its corners. */
+static struct layout layout_in(const struct demo_context *context, int32_t columns, bool numbered)
+{
+    const int32_t corner = demo_may_be_round(context) ? demo_text_inset(context) : 0;
+    struct layout l = {.columns = columns, .rows = PAIRS / columns};
+    l.outside = corner;
+    l.top = demo_strip(context, numbered ? 1 : 2);
+    l.number = numbered ? DEMO_TEXT_LINE : 0;
+    l.cell_width = (context->width / 2 - l.outside) / columns;
+    l.cell_height = (context->height - l.top - corner) / l.rows;
+    const int32_t high = l.cell_height - l.number, smaller = l.cell_width < high ? l.cell_width : high;
+    l.half = smaller > 4 ? smaller * 3 / 8 : 1;
+    return l;
+}
+
+/* The arrangement with the largest plates; that without numbers only where none is wide and high enough for them. */
 static struct layout layout_of(const struct demo_context *context)
 {
-    const fx_t tan_30 = 37837;
-    const int32_t w = context->width / 2 + 1, h = context->height, smaller = w < h ? w : h;
-    struct layout best = {.columns = 1, .rows = PAIRS};
-    for (int32_t columns = 1; columns <= PAIRS / 2; columns++) {
-        struct layout l = {.columns = columns, .rows = PAIRS / columns};
-        l.step_x = (fx_t)(fx_mul_wide(tan_30, 2 * w) / (smaller * l.columns));
-        l.step_y = (fx_t)(fx_mul_wide(tan_30, 2 * h) / (smaller * (l.rows + 1)));
-        l.half = (l.step_x < l.step_y ? l.step_x : l.step_y) * 2 / 5;
-        best = l.half > best.half ? l : best;
+    const int32_t least = ph_overlay_width(labels[PAIRS - 1], 1) + 1;
+    struct layout best = {0};
+    for (uint32_t numbered = 1; numbered < 2 && best.half < LEAST_PX; numbered--) {
+        best.half = 0;
+        for (int32_t columns = 1; columns <= PAIRS; columns += columns < 3 ? 1 : 3) {
+            const struct layout l = layout_in(context, columns, numbered);
+            best = l.half > best.half && (numbered == 0 || l.cell_width >= least) ? l : best;
+        }
     }
     return best;
 }
 
-static void make_plates(struct zfight *z, const struct layout *l)
+/* Half of so many pixels of a picture, at a distance of 1. */
+static fx_t at_half_px(const struct demo_context *context, int32_t px)
+{
+    const fx_t tan_30 = 37837;
+    const int32_t w = context->width / 2 + 1, h = context->height;
+    return (fx_t)(fx_mul_wide(tan_30, px) / (w < h ? w : h));
+}
+
+static void make_plates(const struct demo_context *context, struct zfight *z, const struct layout *l)
 {
     static const int8_t corners[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     for (uint32_t i = 0; i < PAIRS; i++) {
         for (uint32_t back = 0; back < 2; back++) {
-            const fx_t half = l->half * distances[i] * (back ? 7 : 8) / 8;
+            const fx_t half = at_half_px(context, 2 * l->half) * distances[i] * (back ? 7 : 8) / 8;
             for (uint32_t k = 0; k < 4; k++) {
                 z->corners[i][back][k] = (struct fx_vec3){corners[k][0] * half, corners[k][1] * half, back ? -GAP : 0};
             }
@@ -92,16 +117,18 @@ static int zfight_init(struct demo_context *context)
     z->colours[0] = demo_unlit(250, 205, 60);
     z->colours[1] = demo_unlit(40, 80, 230);
     const struct layout l = layout_of(context);
-    make_plates(z, &l);
+    make_plates(context, z, &l);
     context->state = z;
     return PH_OK;
 }
 
-/* The middle of pair i in half steps from the middle of its side: x to the right, y upwards. */
-static void place_of(const struct layout *l, int32_t i, int32_t *x2, int32_t *y2)
+/* The middle of pair i in half pixels from the left border of its side, and from the top of the picture. */
+static void place_of(const struct demo_context *context, const struct layout *l, int32_t i, bool right, int32_t *x2,
+                     int32_t *y2)
 {
-    *x2 = 2 * (i % l->columns) - l->columns + 1;
-    *y2 = l->rows - 2 - 2 * (i / l->columns);
+    *x2 = (2 * (i % l->columns) + 1) * l->cell_width + (right ? 0 : 2 * l->outside);
+    *y2 = (2 * (i / l->columns) + 1) * l->cell_height + 2 * l->top + l->number;
+    *x2 += (context->width / 2 - l->outside) % l->columns; /* what cells leave goes to both sides */
 }
 
 /* Makes the scene of one side. The left side is in a picture of full width. */
@@ -123,9 +150,9 @@ static int draw_side(const struct demo_context *context, struct ph_renderer *r, 
     for (int32_t i = 0; i < PAIRS && status == PH_OK; i++) {
         struct ph_xform place = ph_xform_mul(&yaw, &pitch);
         int32_t x2, y2;
-        place_of(&l, i, &x2, &y2);
-        place.t =
-            (struct fx_vec3){l.step_x * distances[i] / 2 * x2, l.step_y * distances[i] / 2 * y2, FX_INT(-distances[i])};
+        place_of(context, &l, i, right, &x2, &y2);
+        place.t = (struct fx_vec3){at_half_px(context, x2 - context->width / 2) * distances[i],
+                                   at_half_px(context, context->height - y2) * distances[i], FX_INT(-distances[i])};
         status = ph_draw_mesh(r, &z->plates[i][1], &place); /* the blue one first: it stays where the two are equal */
         status = status ? status : ph_draw_mesh(r, &z->plates[i][0], &place);
     }
@@ -168,32 +195,47 @@ static void draw_right(struct ph_renderer *right, uint32_t band, uint16_t *pixel
     }
 }
 
-/* The name of a depth format in capitals, as far as its first word goes. */
-static void title_of(const struct ph_depth_format *format, char title[TITLE])
+/* The name of a depth format in capitals, as far as its first word goes; where it is short, three letters of it and the
+ * bits. */
+static void title_of(const struct ph_depth_format *format, bool is_short, char title[TITLE])
 {
     const char *const name = format->name;
     int n = 0;
-    for (; n < TITLE - 1 && name[n] != '\0' && name[n] != '-'; n++) {
-        title[n] = name[n] >= 'a' && name[n] <= 'z' ? (char)(name[n] - 'a' + 'A') : name[n];
+    for (int i = 0; n < TITLE - 1 && name[i] != '\0' && name[i] != '-'; i++) {
+        const bool letter = name[i] >= 'a' && name[i] <= 'z';
+        if (!is_short || !letter || n < 3) {
+            title[n++] = letter ? (char)(name[i] - 'a' + 'A') : name[i];
+        }
     }
     title[n] = '\0';
 }
 
-/* Labels a side whose left border is at x: the format, and the distance of each pair that is large enough. */
-static void label(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
-                  uint16_t *pixels, int32_t x, const struct ph_depth_format *format)
+/* Draws a text around column x of the picture, of which the top row is y. */
+static void label(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t x, int32_t y,
+                  const char *text)
+{
+    if (demo_text_reaches(r, band, lines, y)) {
+        demo_text(r, band, lines, pixels, x - ph_overlay_width(text, 1) / 2, y, text);
+    }
+}
+
+/* Labels a side: the format, and the distance of each pair above it, or the first and the last below the format. */
+static void label_side(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
+                       uint16_t *pixels, bool right, const struct ph_depth_format *format)
 {
     char name[TITLE];
-    title_of(format, name);
     const struct layout l = layout_of(context);
-    const int32_t w = context->width / 2, h = context->height, text = ph_overlay_width(name, 1);
-    const int32_t down = x > 0 && text > w ? PH_FONT_HEIGHT : 0; /* without room beside it, one below the other */
-    demo_text(r, band, lines, pixels, x + (text > w ? (x > 0 ? w - text : 0) : (w - text) / 2), h / 32 + down, name);
-    for (int32_t i = 0; i < PAIRS && w / l.columns > 2 * ph_overlay_width("100", 1); i++) {
+    const int32_t w = context->width / 2, x = right ? context->width - w : 0, inset = demo_text_inset(context);
+    const int32_t middle = x + (w + (right ? -l.outside : l.outside)) / 2;
+    title_of(format, w < 60, name);
+    label(r, band, lines, pixels, middle, inset, name);
+    if (l.number == 0) {
+        label(r, band, lines, pixels, middle, inset + DEMO_TEXT_LINE, "2-100");
+    }
+    for (int32_t i = 0; i < PAIRS && l.number > 0; i++) {
         int32_t x2, y2;
-        place_of(&l, i, &x2, &y2);
-        demo_text(r, band, lines, pixels, x + w / 2 + x2 * w / (2 * l.columns) - ph_overlay_width(labels[i], 1) / 2,
-                  h / 2 - y2 * h / (2 * (l.rows + 1)) - PH_FONT_HEIGHT / 2, labels[i]);
+        place_of(context, &l, i, right, &x2, &y2);
+        label(r, band, lines, pixels, x + x2 / 2, (y2 - l.cell_height - l.number) / 2 + 1, labels[i]);
     }
 }
 
@@ -206,9 +248,9 @@ static uint32_t zfight_band(struct demo_context *context, struct ph_renderer *r,
             ph_frame_bands(&z->right);
         }
         draw_right(&z->right, band, pixels, width);
-        label(context, r, band, lines, pixels, (int32_t)width - (int32_t)width / 2, z->right.stats.depth_format);
+        label_side(context, r, band, lines, pixels, true, z->right.stats.depth_format);
     }
-    label(context, r, band, lines, pixels, 0, r->stats.depth_format);
+    label_side(context, r, band, lines, pixels, false, r->stats.depth_format);
     return lines;
 }
 
