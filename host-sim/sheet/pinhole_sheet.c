@@ -1,17 +1,19 @@
 /*
  * pinhole-sheet: puts pictures of any sizes on one sheet, in rows of at most a given width, with the same gap
- * everywhere. A row is as high as its highest picture; the pictures stand in its middle.
+ * everywhere. A row is as high as its highest picture; the pictures stand in its middle. A caption stands in the middle
+ * of a strip below them, in the letters of the core.
  */
 #include "complain.h"
 #include "frame_out.h"
 #include "option_table.h"
 #include "option_text.h"
+#include "overlay.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct sheet {
-    const char *out;
+    const char *out, *caption;
     bool help;
     struct frame_out frames;
     uint32_t width, gap; /* pixels */
@@ -27,6 +29,9 @@ struct row {
 };
 
 static const uint8_t paper_colour[3] = {40, 44, 52};
+
+#define CAPTION_SCALE 2
+#define CAPTION_LINES (10 * CAPTION_SCALE) /* px */
 
 /* Returns the row of as many pictures from `first` on as fit, at least one. */
 static struct row next_row(const struct sheet *s, uint32_t first)
@@ -62,6 +67,7 @@ static int make_paper(struct sheet *s)
         width = row.width > width ? row.width : width;
         height += row.height + s->gap;
     }
+    height += s->caption != NULL ? CAPTION_LINES : 0;
     if (width * height * scale * scale > FRAME_OUT_PIXELS_MAX) {
         return complain("the sheet would be %llux%llu, more than %u pixels: take fewer pictures, or smaller ones",
                         (unsigned long long)width * scale, (unsigned long long)height * scale, FRAME_OUT_PIXELS_MAX);
@@ -91,6 +97,26 @@ static void put_pictures(struct sheet *s)
     }
 }
 
+/* Writes the caption at the lower border; what is too wide for the sheet is cut off. */
+static int put_caption(struct sheet *s)
+{
+    const struct ph_overlay_style style = {1, 1, CAPTION_SCALE}; /* not the colour of what is empty, 0 */
+    const uint32_t width = s->paper.width, first = (s->paper.height - CAPTION_LINES) * width;
+    uint16_t *const letters = calloc(width, CAPTION_LINES * sizeof *letters);
+    if (letters == NULL) {
+        return complain("not enough memory for a caption");
+    }
+    const struct ph_overlay_band band = {letters, (uint16_t)width, 0, CAPTION_LINES};
+    ph_text(&band, ((int32_t)width - ph_text_width(s->caption, CAPTION_SCALE)) / 2, 0, s->caption, &style);
+    for (uint32_t i = 0; i < width * CAPTION_LINES; i++) {
+        if (letters[i] != 0) {
+            memset(s->paper.rgb + 3 * ((size_t)first + i), 255, 3);
+        }
+    }
+    free(letters);
+    return 0;
+}
+
 static bool set_out(void *to, const char *value)
 {
     struct sheet *s = to;
@@ -99,9 +125,16 @@ static bool set_out(void *to, const char *value)
            option_text_ends(value, ".gif");
 }
 
+static bool set_caption(void *to, const char *value)
+{
+    ((struct sheet *)to)->caption = value;
+    return true;
+}
+
 static const struct option_row rows[] = {
     {"out", "SHEET.png", "where the sheet goes; - is stdout (PPM)", "a file that ends in .png, .ppm or .gif, or -",
      .set = set_out},
+    {"caption", "TEXT", "writes it below the pictures", "a text", .set = set_caption},
     {"scale", "N", "makes every pixel of the sheet N x N pixels", "a whole number, 1 .. 16",
      .at = offsetof(struct sheet, frames.scale), .least = 1, .most = FRAME_OUT_SCALE_MAX},
     {"width", "PX", "width of the sheet; 1024 by default (wider where a picture is)", "a whole number, 1 .. 16384",
@@ -164,7 +197,8 @@ static int make_sheet(struct sheet *s)
         return status;
     }
     put_pictures(s);
-    status = frame_out_open(&s->frames, s->out, false, 0);
+    status = s->caption != NULL ? put_caption(s) : 0;
+    status = status ? status : frame_out_open(&s->frames, s->out, false, 0);
     if (status == 0) {
         status = frame_out_put(&s->frames, 0, &s->paper);
     }

@@ -35,6 +35,12 @@ gap_and_width_have_an_effect() {
     printf '%s\n' 'AA.' 'CCC' | diff - "$dir/drawn"
 }
 
+a_caption_stands_below() { # an exclamation mark of 1 x 7 pixels, twice as large, in the middle of 20 rows
+    ppm e 8 1 A
+    drawn --gap 0 --width 8 --caption '!' "$dir/e.ppm" | LC_ALL=C tr '\377' '#' >"$dir/drawn"
+    { echo AAAAAAAA; yes '...##...' | head -n 10; printf '%s\n' ........ ........ '...##...' '...##...'; yes ........ | head -n 6; } | diff - "$dir/drawn"
+}
+
 header_comments_are_read() {
     { printf 'P6 # made by hand\n2 # wide\n1\n255\n' && printf 'AAAAAA'; } >"$dir/comment.ppm"
     [ "$(drawn --width 1 --gap 0 "$dir/comment.ppm")" = AA ]
@@ -95,6 +101,7 @@ demo_leaves_what_it_says() {
 
 check rows_are_broken_at_the_width rows_are_broken_at_the_width
 check gap_and_width_have_an_effect gap_and_width_have_an_effect
+check a_caption_stands_below a_caption_stands_below
 check header_comments_are_read header_comments_are_read
 check stdout_gets_the_same stdout_gets_the_same
 check wrong_pictures_are_refused wrong_pictures_are_refused
