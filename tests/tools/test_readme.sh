@@ -152,8 +152,8 @@ gallery_makes_the_pictures() { # pixel by pixel; the plot of depth is drawn by g
         [ -s "$made" ] || { echo "$picture is not made" && return 1; }
         [ "$picture" = depth.png ] || cmp <(convert "host-sim/gallery/$picture" ppm:-) <(convert "$made" ppm:-) || return 1
         shown=$((shown + 1))
-    done < <(grep -ohE 'gallery/[a-z-]+\.png' "${readmes[@]}" | cut -d/ -f2 | sort -u)
-    [ "$shown" -ge 3 ]
+    done < <(grep -ohE 'gallery/[a-z0-9/-]+\.(png|gif)' "${readmes[@]}" | cut -d/ -f2- | sort -u)
+    [ "$shown" -ge 30 ] && [ "$(wc -c <host-sim/gallery/first.gif)" -le 600000 ]
 }
 
 readme_is_short() { [ "$(wc -l <README.md)" -le 300 ]; }
