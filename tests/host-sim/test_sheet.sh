@@ -37,7 +37,7 @@ gap_and_width_have_an_effect() {
 
 a_caption_stands_below() { # an exclamation mark of 1 x 7 pixels, twice as large, in the middle of 20 rows
     ppm e 8 1 A
-    drawn --gap 0 --width 8 --caption '!' "$dir/e.ppm" | LC_ALL=C tr '\377' '#' >"$dir/drawn"
+    LC_ALL=C drawn --gap 0 --width 8 --caption '!' "$dir/e.ppm" | LC_ALL=C tr '\377' '#' >"$dir/drawn"
     { echo AAAAAAAA; yes '...##...' | head -n 10; printf '%s\n' ........ ........ '...##...' '...##...'; yes ........ | head -n 6; } | diff - "$dir/drawn"
 }
 
