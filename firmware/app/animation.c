@@ -6,7 +6,7 @@
 
 #define ROUND8(n) (((n) + 7) & ~(size_t)7)
 
-#define STAGE_BYTES_32 40
+#define STAGE_BYTES_32 88
 #define MESH_BYTES_32  52
 _Static_assert(sizeof(void *) > 4 || sizeof(struct animation_stage) == STAGE_BYTES_32, "STAGE_BYTES_32 is wrong");
 _Static_assert(sizeof(void *) > 4 || sizeof(struct ph_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
@@ -35,6 +35,14 @@ struct animation_need animation_need(const struct animation *a)
     return need;
 }
 
+/* What only a cross-fade needs. */
+static size_t next_bytes(const struct animation *a)
+{
+    return a->clip_count > 1
+               ? ROUND8(a->rig.node_count * sizeof(struct ph_pose)) + ROUND8(a->weight_count * sizeof(int32_t))
+               : 0;
+}
+
 size_t animation_bytes(const struct animation_need *need, const struct animation *a, uint32_t mesh_count, bool on_32)
 {
     return ROUND8(on_32 ? STAGE_BYTES_32 : sizeof(struct animation_stage)) +
@@ -42,7 +50,7 @@ size_t animation_bytes(const struct animation_need *need, const struct animation
            ROUND8(a->rig.node_count * sizeof(struct ph_pose)) + ROUND8(a->rig.node_count * sizeof(struct ph_xform)) +
            ROUND8(need->joints * sizeof(struct ph_xform)) + ROUND8(a->weight_count * sizeof(int32_t)) +
            ROUND8(need->morphed * sizeof(int16_t[3])) + ROUND8(need->morphed_normals * sizeof(int16_t[3])) +
-           need->vertex_bytes;
+           next_bytes(a) + need->vertex_bytes;
 }
 
 /* Gives a mesh vertices of its own, in the bind pose. */
@@ -80,11 +88,20 @@ struct animation_stage *animation_begin(struct demo_arena *arena, const struct a
                                   .places = demo_alloc(arena, a->rig.node_count * sizeof(*s->places)),
                                   .matrices = demo_alloc(arena, need.joints * sizeof(*s->matrices)),
                                   .weights = demo_alloc(arena, a->weight_count * sizeof(*s->weights)),
+                                  .layers = {{.clip = a->clip}},
+                                  .layer_count = a->clip ? 1 : 0,
                                   .morphed = demo_alloc(arena, need.morphed * sizeof(*s->morphed)),
                                   .morphed_normals =
                                       demo_alloc(arena, need.morphed_normals * sizeof(*s->morphed_normals))};
     if (!s->meshes || !s->pose || !s->places || !s->matrices || !s->weights || !s->morphed || !s->morphed_normals) {
         return NULL;
+    }
+    if (a->clip_count > 1) {
+        s->next_pose = demo_alloc(arena, a->rig.node_count * sizeof(*s->next_pose));
+        s->next_weights = demo_alloc(arena, a->weight_count * sizeof(*s->next_weights));
+        if (!s->next_pose || !s->next_weights) {
+            return NULL;
+        }
     }
     memcpy(s->meshes, meshes, mesh_count * sizeof(*meshes));
     for (uint32_t i = 0; i < a->mesh_count; i++) {
@@ -122,16 +139,64 @@ void animation_move(const struct animation_stage *s, const struct ph_renderer *r
     animation_move_at(s, r, clock_of(frame, ANIMATION_FRAMES_A_SECOND));
 }
 
+/* How long a layer has played at a time; 0 before it began. */
+static struct demo_clock played(const struct animation_layer *layer, struct demo_clock clock)
+{
+    const uint64_t from = (uint64_t)layer->since.seconds << 16 | layer->since.part,
+                   to = (uint64_t)clock.seconds << 16 | clock.part, time = to > from ? to - from : 0;
+    return (struct demo_clock){.seconds = (uint32_t)(time >> 16), .part = (uint16_t)time};
+}
+
+/* How much of a layer shows, 0 .. FX_ONE. */
+static fx_t share_of(const struct animation_stage *s, const struct animation_layer *layer, struct demo_clock clock)
+{
+    const struct demo_clock time = played(layer, clock);
+    const uint32_t fade = (uint32_t)s->animation->cross_fade;
+    const uint32_t most = fade >> 16, passed = time.seconds <= most ? time.seconds << 16 | time.part : UINT32_MAX;
+    return passed >= fade ? FX_ONE : fx_div_sat((fx_t)passed, (fx_t)fade);
+}
+
+/* The pose in which a layer (NULL: none) has the rig at a time. */
+static void set_pose(const struct animation *a, const struct animation_layer *layer, struct demo_clock clock,
+                     struct ph_pose *pose, int32_t *weights)
+{
+    ph_rig_rest(&a->rig, pose);
+    for (uint32_t i = 0; i < a->weight_count; i++) { /* memcpy takes no NULL, not even for 0 bytes */
+        weights[i] = a->rest_weights[i];
+    }
+    if (layer) {
+        const fx_t time = time_of(layer->clip, played(layer, clock));
+        if (a->sample) {
+            a->sample(a, layer->clip, time, pose, weights);
+        } else {
+            ph_clip_sample(layer->clip, time, pose, weights);
+        }
+    }
+}
+
+/* Fades all layers over each other that show. */
+static void blend_layers(const struct animation_stage *s, struct demo_clock clock)
+{
+    const struct animation *const a = s->animation;
+    const struct animation_layer *const end = s->layers + s->layer_count, *layer = s->layer_count > 0 ? end - 1 : NULL;
+    while (layer && layer > s->layers && share_of(s, layer, clock) < FX_ONE) {
+        layer--;
+    }
+    set_pose(a, layer, clock, s->pose, s->weights);
+    for (; layer && layer + 1 < end; layer++) {
+        const fx_t share = share_of(s, layer + 1, clock);
+        set_pose(a, layer + 1, clock, s->next_pose, s->next_weights);
+        ph_pose_blend(s->pose, s->next_pose, a->rig.node_count, share);
+        for (uint32_t i = 0; i < a->weight_count; i++) {
+            s->weights[i] = fx_lerp_sat(s->weights[i], s->next_weights[i], share);
+        }
+    }
+}
+
 void animation_move_at(const struct animation_stage *s, const struct ph_renderer *r, struct demo_clock clock)
 {
     const struct animation *const a = s->animation;
-    ph_rig_rest(&a->rig, s->pose);
-    for (uint32_t i = 0; i < a->weight_count; i++) { /* memcpy takes no NULL, not even for 0 bytes */
-        s->weights[i] = a->rest_weights[i];
-    }
-    if (a->clip) {
-        ph_clip_sample(a->clip, time_of(a->clip, clock), s->pose, s->weights);
-    }
+    blend_layers(s, clock);
     ph_rig_places(&a->rig, s->pose, &a->root, s->places);
     for (uint32_t i = 0; i < a->mesh_count; i++) {
         const struct animation_mesh *const from = &a->meshes[i];
@@ -185,9 +250,37 @@ int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_
     struct animation_stage *const s = context->state;
     const uint32_t fps = context->clip_fps != 0 ? context->clip_fps : ANIMATION_FRAMES_A_SECOND;
     const uint64_t number = clip_frame(s, frame);
-    animation_move_at(s, r, fps == DEMO_CLIPS_BY_CLOCK ? context->clock : clock_of(number, fps));
+    const struct demo_clock clock = fps == DEMO_CLIPS_BY_CLOCK ? context->clock : clock_of(number, fps);
+    if (s->starts) {
+        s->layers[s->layer_count - 1].since = clock;
+        s->starts = false;
+    }
+    animation_move_at(s, r, clock);
     context->state = s->view;
     const int status = s->is_still ? demo_still_frame(context, r, frame) : demo_turntable_frame(context, r, frame);
     context->state = s;
     return status;
+}
+
+bool animation_select(struct demo_context *context)
+{
+    struct animation_stage *const s = context->state;
+    const struct animation *const a = s->animation;
+    if (a->clip_count < 2) {
+        return false;
+    }
+    const struct ph_clip *const next = s->layers[s->layer_count - 1].clip + 1;
+    const struct ph_clip *const clip = next < a->clips + a->clip_count ? next : a->clips;
+    if (clip == a->clip) {
+        return false;
+    }
+    if (!s->starts && s->layer_count < ANIMATION_LAYERS) {
+        s->layer_count++;
+    } else if (!s->starts) {
+        memmove(s->layers, s->layers + 1, sizeof(s->layers) - sizeof(s->layers[0]));
+    }
+    s->layers[s->layer_count - 1].clip = clip;
+    s->starts = true;
+    context->clip = clip->name;
+    return true;
 }

@@ -9,6 +9,8 @@
 #include "motion.h"
 
 #define ANIMATION_FRAMES_A_SECOND 30
+#define ANIMATION_CROSS_FADE      (FX_ONE / 4) /* seconds, where nobody says others */
+#define ANIMATION_LAYERS          3            /* clips that a pose is made of, at most */
 
 /* A mesh that moves. */
 struct animation_mesh {
@@ -21,8 +23,14 @@ struct animation_mesh {
 
 struct animation {
     struct ph_rig rig;
-    struct ph_xform root;       /* the rig's origin and directions in the scene, t in Q8.24 */
-    const struct ph_clip *clip; /* it repeats; NULL: the rest pose */
+    struct ph_xform root;        /* the rig's origin and directions in the scene, t in Q8.24 */
+    const struct ph_clip *clip;  /* with which it begins; clips repeat; NULL: the rest pose */
+    const struct ph_clip *clips; /* those that the select button goes through, of which `clip` is one; or NULL */
+    uint32_t clip_count;
+    fx_t cross_fade; /* seconds that the way from one clip to the next takes, 0 or more */
+    /* Samples one of `clips` in place of ph_clip_sample(); or NULL. */
+    void (*sample)(const struct animation *a, const struct ph_clip *clip, fx_t time, struct ph_pose *pose,
+                   int32_t *weights);
     const struct animation_mesh *meshes;
     uint32_t mesh_count, weight_count;
     const int32_t *rest_weights;
@@ -30,15 +38,24 @@ struct animation {
     uint32_t outline_count;        /* 0: the vertices in the bind pose have to do */
 };
 
+/* A clip that plays since a time. */
+struct animation_layer {
+    const struct ph_clip *clip;
+    struct demo_clock since;
+};
+
 /* A scene that moves; it lies in an arena. */
 struct animation_stage {
     const struct animation *animation;
     struct ph_mesh *meshes; /* those of the scene; those that move have positions and normals of their own here */
-    struct ph_pose *pose;
+    struct ph_pose *pose, *next_pose; /* next_pose, next_weights: of a clip that fades in, where there are several */
     struct ph_xform *places, *matrices;
-    int32_t *weights;
+    int32_t *weights, *next_weights;
     int16_t (*morphed)[3], (*morphed_normals)[3];
-    void *view; /* the state of the demo that draws it */
+    void *view;                                      /* the state of the demo that draws it */
+    struct animation_layer layers[ANIMATION_LAYERS]; /* each fades in over those before it */
+    uint8_t layer_count;
+    bool starts; /* the last layer plays since the next frame */
     bool is_still;
     uint8_t quarter; /* of 2^32, in which the last frame's number was */
     uint8_t wraps;   /* how often the number of frames has begun again at 0 */
@@ -66,7 +83,7 @@ struct animation_stage *animation_begin(struct demo_arena *arena, const struct a
  * may be NULL. */
 void animation_move(const struct animation_stage *stage, const struct ph_renderer *r, uint64_t frame);
 
-/* animation_move for a time; the clip repeats without a seam. */
+/* animation_move for a time; clips repeat without a seam. */
 void animation_move_at(const struct animation_stage *stage, const struct ph_renderer *r, struct demo_clock clock);
 
 /* Makes a demo of an animation, before an eye of its own, or (NULL) on the turntable; see demo_still_init(),
@@ -74,5 +91,9 @@ void animation_move_at(const struct animation_stage *stage, const struct ph_rend
 int animation_init(struct demo_context *context, const struct animation *animation, const struct ph_mesh *meshes,
                    uint32_t mesh_count, const struct demo_eye *eye);
 int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
+
+/* Takes the next clip, which plays from its beginning and fades in from the next frame on. False: the scene has shown
+ * all of them. With a third clip within the time of one cross-fade the first is gone at once. */
+bool animation_select(struct demo_context *context);
 
 #endif

@@ -52,6 +52,7 @@ struct demo_context {
     struct ph_blur blur;
     uint16_t clip_fps;       /* frames in a second of clips, 1 .. 1000; 0: 30; DEMO_CLIPS_BY_CLOCK: they run by clock */
     struct demo_clock clock; /* since the scene began */
+    const char *clip;        /* the name of the clip that the select button has taken; NULL: none yet */
     uint32_t frame;          /* for band(), of a demo whose frame() sets it */
 };
 
@@ -88,6 +89,9 @@ struct demo {
      * buttons). Without blur_radius it may be called while the bands of the frame before are drawn: it changes no
      * material, texture or context that they use. */
     int (*frame)(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
+
+    /* Obeys the select button, for the next frame; false, or NULL: it takes the next demo. */
+    bool (*select)(struct demo_context *context);
 
     /* Draws a band as ph_draw_band does; NULL: ph_draw_band. Call it through demo_draw_band(). */
     uint32_t (*band)(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels);

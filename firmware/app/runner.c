@@ -166,10 +166,13 @@ static const struct demo *demo_after(const struct runner *runner, const struct d
     return i < demo_count && !listed ? first : demo_list[0];
 }
 
-/* Takes the next demo for which there is room. */
+/* Takes the next clip of the scene, or else the next demo for which there is room. */
 static int select_next(struct runner *runner)
 {
     const struct demo *demo = runner->demo;
+    if (demo->select != NULL && demo->select(&runner->context)) {
+        return PH_OK;
+    }
     const int finished = runner_finish(runner); /* buffers and lists move */
     int status = finished == HAL_OK ? PH_ERR_NOMEM : finished;
     for (uint32_t tries = 0; tries <= demo_count && status == PH_ERR_NOMEM; tries++) {
@@ -192,10 +195,10 @@ int runner_buttons(struct runner *runner, uint32_t more)
     const uint32_t buttons = pressed | ((pressed & both) == both ? HAL_BUTTON_SELECT : 0U);
     const bool select = (buttons & ~runner->buttons & HAL_BUTTON_SELECT) != 0; /* a held button selects once */
     runner->buttons = buttons;
-    const int status = select ? select_next(runner) : PH_OK;
     if (runner->ahead && buttons != ((const struct runner_ahead *)runner->config.ahead)->buttons) {
         drop_ahead(runner);
     }
+    const int status = select ? select_next(runner) : PH_OK;
     if (!runner->ahead) {
         demo_input(&runner->context, buttons);
     }

@@ -332,6 +332,7 @@ struct demo scene_file_demo(const void *bytes)
                          .vertex_max = head->vertex_max,
                          .triangle_max = head->triangle_max,
                          .init = init,
+                         .select = head->motion ? animation_select : NULL,
                          .frame = head->motion ? animation_frame
                                   : is_still   ? demo_still_frame
                                                : demo_turntable_frame};

@@ -28,7 +28,7 @@
 #include <stdint.h>
 
 #define SCENE_FILE_MAGIC   0x53484850u /* "PHHS" */
-#define SCENE_FILE_VERSION 5u
+#define SCENE_FILE_VERSION 6u
 #define SCENE_FILE_MESHES  4096u /* at most */
 #define SCENE_FILE_NAME    40
 
@@ -94,7 +94,8 @@ struct scene_file_mesh {
 struct scene_file_motion {
     uint32_t nodes, rest_weights, clips; /* offsets */
     uint32_t node_count, weight_count, clip_count;
-    uint32_t playing; /* which clip */
+    uint32_t playing;   /* which clip begins */
+    int32_t cross_fade; /* Q16.16 seconds, 0 or more */
     int32_t r[3][3], t[3];
     uint32_t outline, outline_count; /* an offset: struct fx_vec3 */
 };

@@ -95,7 +95,7 @@ bool scene_motion_right(const struct scene_file_head *head)
     if (motion && (!scene_file_inside(head, head->motion, 1, sizeof(*motion)) || !are_nodes_right(head, motion) ||
                    !scene_file_inside(head, motion->clips, motion->clip_count, sizeof(struct scene_file_clip)) ||
                    !scene_file_inside(head, motion->outline, motion->outline_count, sizeof(struct fx_vec3)) ||
-                   (motion->clip_count > 0 && motion->playing >= motion->clip_count))) {
+                   (motion->clip_count > 0 && motion->playing >= motion->clip_count) || motion->cross_fade < 0)) {
         return false;
     }
     for (uint32_t i = 0; motion && i < motion->clip_count; i++) {
@@ -192,25 +192,17 @@ static struct animation_mesh moving_of(const struct scene_file_head *head, uint3
         .first_weight = from->first_weight};
 }
 
-bool scene_motion_clip(const struct scene_file_head *head, uint32_t i, struct demo_arena *arena, struct ph_clip *clip)
+struct ph_track scene_motion_track(const struct scene_file_head *head, const struct scene_file_clip *clip, uint32_t i)
 {
-    const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
-    const struct scene_file_clip *const from = (const struct scene_file_clip *)scene_file_at(head, motion->clips) + i;
-    const struct scene_file_track *const tracks = scene_file_at(head, from->tracks);
-    struct ph_track *const to = demo_alloc(arena, from->track_count * sizeof(*to));
-    for (uint32_t k = 0; to && k < from->track_count; k++) {
-        const struct scene_file_track *const t = &tracks[k];
-        to[k] = (struct ph_track){t->node,
-                                  t->path,
-                                  t->interpolation,
-                                  t->width,
-                                  t->frac,
-                                  t->key_count,
-                                  scene_file_at(head, t->times),
-                                  scene_file_at(head, t->keys)};
-    }
-    *clip = (struct ph_clip){from->name, to, from->track_count, from->duration};
-    return to != NULL;
+    const struct scene_file_track *const t = (const struct scene_file_track *)scene_file_at(head, clip->tracks) + i;
+    return (struct ph_track){t->node,
+                             t->path,
+                             t->interpolation,
+                             t->width,
+                             t->frac,
+                             t->key_count,
+                             scene_file_at(head, t->times),
+                             scene_file_at(head, t->keys)};
 }
 
 void scene_motion_play(struct scene_file_head *head, uint32_t i)
@@ -225,7 +217,9 @@ static struct animation animation_of(const struct scene_file_head *head, const s
                           .weight_count = motion->weight_count,
                           .rest_weights = scene_file_at(head, motion->rest_weights),
                           .outline = scene_file_at(head, motion->outline),
-                          .outline_count = motion->outline_count};
+                          .outline_count = motion->outline_count,
+                          .clip_count = motion->clip_count,
+                          .cross_fade = motion->cross_fade};
     memcpy(a.root.r, motion->r, sizeof(a.root.r));
     for (uint32_t i = 0; i < head->mesh_count; i++) {
         a.mesh_count += scene_file_table(head)[i].moving != 0;
@@ -236,28 +230,48 @@ static struct animation animation_of(const struct scene_file_head *head, const s
 /* What scene_motion_make() makes in an arena. */
 struct tables {
     struct animation animation;
-    struct ph_clip clip;
+    const struct scene_file_head *head;
 };
 
-#define TABLES_BYTES_32 100
+#define TABLES_BYTES_32 104
 #define MESH_BYTES_32   64
-#define TRACK_BYTES_32  16
+#define CLIP_BYTES_32   16
 _Static_assert(sizeof(void *) > 4 || sizeof(struct tables) == TABLES_BYTES_32, "TABLES_BYTES_32 is wrong");
 _Static_assert(sizeof(void *) > 4 || sizeof(struct animation_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
-_Static_assert(sizeof(void *) > 4 || sizeof(struct ph_track) == TRACK_BYTES_32, "TRACK_BYTES_32 is wrong");
+_Static_assert(sizeof(void *) > 4 || sizeof(struct ph_clip) == CLIP_BYTES_32, "CLIP_BYTES_32 is wrong");
+
+/* Samples a clip by tracks that are made one by one: all of a scene's would take more RAM than its triangles. */
+static void sample(const struct animation *a, const struct ph_clip *clip, fx_t time, struct ph_pose *pose,
+                   int32_t *weights) /* called as sample */
+{
+    const struct scene_file_head *const head = ((const struct tables *)(const void *)a)->head; /* its first member */
+    const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
+    const struct scene_file_clip *const clips = scene_file_at(head, motion->clips);
+    for (uint32_t i = 0; i < clip->track_count; i++) {
+        const struct ph_track track = scene_motion_track(head, &clips[clip - a->clips], i);
+        ph_clip_sample(&(const struct ph_clip){.tracks = &track, .track_count = 1}, time, pose, weights);
+    }
+}
 
 const struct animation *scene_motion_make(const struct scene_file_head *head, struct demo_arena *arena)
 {
     const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
+    const struct scene_file_clip *const from = scene_file_at(head, motion->clips);
     const struct animation a = animation_of(head, motion);
     struct tables *const tables = demo_alloc(arena, sizeof(*tables));
     struct animation_mesh *const meshes = demo_alloc(arena, a.mesh_count * sizeof(*meshes));
-    if (!tables || !meshes ||
-        (motion->clip_count > 0 && !scene_motion_clip(head, motion->playing, arena, &tables->clip))) {
+    struct ph_clip *const clips = demo_alloc(arena, a.clip_count * sizeof(*clips));
+    if (!tables || !meshes || !clips) {
         return NULL;
     }
-    tables->animation = a;
-    tables->animation.clip = motion->clip_count > 0 ? &tables->clip : NULL;
+    for (uint32_t i = 0; i < a.clip_count; i++) {
+        clips[i] =
+            (struct ph_clip){.name = from[i].name, .track_count = from[i].track_count, .duration = from[i].duration};
+    }
+    *tables = (struct tables){a, head};
+    tables->animation.clip = a.clip_count > 0 ? &clips[motion->playing] : NULL;
+    tables->animation.clips = clips;
+    tables->animation.sample = sample;
     tables->animation.meshes = meshes;
     for (uint32_t i = 0, n = 0; i < head->mesh_count; i++) {
         if (scene_file_table(head)[i].moving != 0) {
@@ -267,11 +281,11 @@ const struct animation *scene_motion_make(const struct scene_file_head *head, st
     return &tables->animation;
 }
 
-size_t scene_motion_table_bytes(uint32_t mesh_count, uint32_t track_count, bool on_32)
+size_t scene_motion_table_bytes(uint32_t mesh_count, uint32_t clip_count, bool on_32)
 {
     return ROUND8(on_32 ? TABLES_BYTES_32 : sizeof(struct tables)) +
            ROUND8(mesh_count * (on_32 ? MESH_BYTES_32 : sizeof(struct animation_mesh))) +
-           ROUND8(track_count * (on_32 ? TRACK_BYTES_32 : sizeof(struct ph_track)));
+           ROUND8(clip_count * (on_32 ? CLIP_BYTES_32 : sizeof(struct ph_clip)));
 }
 
 size_t scene_motion_bytes(const struct scene_file_head *head, bool on_32)
@@ -281,7 +295,6 @@ size_t scene_motion_bytes(const struct scene_file_head *head, bool on_32)
         return 0;
     }
     const struct animation a = animation_of(head, motion);
-    const struct scene_file_clip *const clips = scene_file_at(head, motion->clips);
     struct animation_need need = {0};
     for (uint32_t i = 0; i < head->mesh_count; i++) {
         if (scene_file_table(head)[i].moving != 0) {
@@ -289,7 +302,6 @@ size_t scene_motion_bytes(const struct scene_file_head *head, bool on_32)
             animation_add(&need, &mesh);
         }
     }
-    return scene_motion_table_bytes(a.mesh_count, motion->clip_count > 0 ? clips[motion->playing].track_count : 0,
-                                    on_32) +
+    return scene_motion_table_bytes(a.mesh_count, a.clip_count, on_32) +
            animation_bytes(&need, &a, head->mesh_count, on_32);
 }

@@ -14,20 +14,20 @@ bool scene_motion_can_move(const struct scene_file_head *head);
 
 /* The functions below take what is right only, and but for scene_motion_bytes() where head->motion is not 0. */
 
-/* Makes the clip number i in the arena. False: it is full. */
-bool scene_motion_clip(const struct scene_file_head *head, uint32_t i, struct demo_arena *arena, struct ph_clip *clip);
+/* Track number i of a clip. */
+struct ph_track scene_motion_track(const struct scene_file_head *head, const struct scene_file_clip *clip, uint32_t i);
 
-/* Makes what moves, with the clip that plays, in the arena. NULL: it is full. */
+/* Makes what moves, with all clips, in the arena. Tracks stay where they are: the clips have their count, and a
+ * sample() of the animation's own. NULL: it is full. */
 const struct animation *scene_motion_make(const struct scene_file_head *head, struct demo_arena *arena);
 
 /* Bytes that the scene's animation and its stage take of an arena, here or on a 32-bit target; 0 if nothing moves. */
 size_t scene_motion_bytes(const struct scene_file_head *head, bool on_32);
 
-/* Bytes of scene_motion_bytes that are not the stage's, with so many meshes that move and tracks of the clip that
- * plays. */
-size_t scene_motion_table_bytes(uint32_t mesh_count, uint32_t track_count, bool on_32);
+/* Bytes of scene_motion_bytes that are not the stage's, with so many meshes that move and clips. */
+size_t scene_motion_table_bytes(uint32_t mesh_count, uint32_t clip_count, bool on_32);
 
-/* Plays the clip number i from the next scene_motion_make() on: changes a scene that lies in RAM. */
+/* Begins with the clip number i from the next scene_motion_make() on: changes a scene that lies in RAM. */
 void scene_motion_play(struct scene_file_head *head, uint32_t i);
 
 #endif

@@ -95,8 +95,7 @@ size_t asset_table_bytes(const struct asset *asset, bool on_32)
 {
     const struct model *model = &asset->model;
     const struct animation *a = model->motion != NULL ? &model->motion->animation : NULL;
-    const size_t moving =
-        a != NULL ? scene_motion_table_bytes(a->mesh_count, a->clip != NULL ? a->clip->track_count : 0, on_32) : 0;
+    const size_t moving = a != NULL ? scene_motion_table_bytes(a->mesh_count, a->clip_count, on_32) : 0;
     return scene_file_table_bytes(model->mesh_count, on_32) + moving;
 }
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* Bytes of the tables, on a 32-bit target. */
-#define ANIMATION_BYTES      84
+#define ANIMATION_BYTES      100
 #define ANIMATION_MESH_BYTES 64
 #define CLIP_BYTES           16
 #define TRACK_BYTES          16
@@ -128,12 +128,13 @@ uint64_t asset_motion_bytes(const struct model *model)
         bytes += ANIMATION_MESH_BYTES + ROUND4(joints * sizeof(uint16_t)) + joints * sizeof(struct ph_xform) +
                  (vertex_bytes(&a->meshes[i]) - 2 * sizeof(int16_t[3])) * a->meshes[i].bound.vertex_count;
     }
-    for (uint32_t i = 0; i < m->clip_count; i++) {
-        bytes += CLIP_BYTES + ROUND4(strlen(m->clips[i].name) + 1);
-        for (uint32_t k = 0; k < m->clips[i].track_count; k++) {
-            const struct ph_track *t = &m->clips[i].tracks[k];
+    for (uint32_t i = 0; i < m->animation.clip_count; i++) {
+        const struct ph_clip *clip = &m->animation.clips[i];
+        bytes += CLIP_BYTES + ROUND4(strlen(clip->name) + 1);
+        for (uint32_t k = 0; k < clip->track_count; k++) {
+            const struct ph_track *t = &clip->tracks[k];
             bytes += TRACK_BYTES + ROUND4(2 * asset_key_numbers(t)) +
-                     (asset_first_times(&m->clips[i], k) == k ? t->key_count * sizeof *t->times : 0);
+                     (asset_first_times(clip, k) == k ? t->key_count * sizeof *t->times : 0);
         }
     }
     return bytes;

@@ -14,7 +14,7 @@
 #define PART_BYTES     12
 #define BLEND_BYTES    12
 #define TEXTURE_BYTES  8
-#define DEMO_BYTES     60
+#define DEMO_BYTES     64
 #define EYE_BYTES      76
 #define RAMP_BYTES     (2 * PH_RAMP_SIZE)
 
@@ -105,10 +105,12 @@ static void report_model(FILE *file, const struct asset *asset)
 static void report_motion(FILE *file, const struct model_motion *m)
 {
     const struct model_rounding *r = &m->rounding;
-    fprintf(file, "motion     %u nodes, %u clips:", (unsigned)m->animation.rig.node_count, (unsigned)m->clip_count);
-    for (uint32_t i = 0; i < m->clip_count; i++) {
-        fprintf(file, "%s %s (%.2f s)%s", i > 0 ? "," : "", m->clips[i].name, m->clips[i].duration / 65536.0,
-                m->animation.clip == &m->clips[i] && m->clip_count > 1 ? " plays" : "");
+    fprintf(file, "motion     %u nodes, %u clips:", (unsigned)m->animation.rig.node_count,
+            (unsigned)m->animation.clip_count);
+    for (uint32_t i = 0; i < m->animation.clip_count; i++) {
+        const struct ph_clip *clip = &m->animation.clips[i];
+        fprintf(file, "%s %s (%.2f s)%s", i > 0 ? "," : "", clip->name, clip->duration / 65536.0,
+                m->animation.clip == clip && m->animation.clip_count > 1 ? " plays" : "");
     }
     fprintf(file,
             "\nrounding   positions %.2g, morph targets %.2g, keys of translation %.2g of the model's radius, of "

@@ -84,18 +84,19 @@ static uint32_t write_motion(struct writer *to, const struct model_motion *motio
                                   .rest_weights = append(to, a->rest_weights, a->weight_count * sizeof(int32_t)),
                                   .node_count = a->rig.node_count,
                                   .weight_count = a->weight_count,
-                                  .clip_count = motion->clip_count,
+                                  .clip_count = a->clip_count,
+                                  .cross_fade = a->cross_fade,
                                   .t = {a->root.t.x, a->root.t.y, a->root.t.z},
                                   .outline = append(to, a->outline, a->outline_count * sizeof *a->outline),
                                   .outline_count = a->outline_count};
     memcpy(m.r, a->root.r, sizeof m.r);
     const struct scene_file_clip none = {.tracks = 0};
     m.clips = to->used;
-    for (uint32_t i = 0; i < motion->clip_count; i++) {
+    for (uint32_t i = 0; i < a->clip_count; i++) {
         append(to, &none, sizeof none);
     }
-    for (uint32_t i = 0; i < motion->clip_count; i++) {
-        const struct ph_clip *from = &motion->clips[i];
+    for (uint32_t i = 0; i < a->clip_count; i++) {
+        const struct ph_clip *from = &a->clips[i];
         struct scene_file_clip clip = {
             .tracks = write_tracks(to, from), .track_count = from->track_count, .duration = from->duration};
         snprintf(clip.name, sizeof clip.name, "%.*s", (int)sizeof clip.name - 1, from->name);

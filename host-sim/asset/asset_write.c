@@ -262,9 +262,10 @@ static void put_demo(FILE *file, const struct asset *asset)
     fprintf(file,
             "\nconst struct demo demo_scene = {\n    .name = \"%s\",\n    .summary = \"a model file\",\n"
             "    .loop_frames = %u,\n    .arena_bytes = sizeof(void *) > 4 ? %u : %u,\n    .arena_bytes_32 = %u,\n"
-            "    .vertex_max = %u,\n    .triangle_max = %u,\n    .init = init,\n    .frame = %s_frame,\n};\n",
+            "    .vertex_max = %u,\n    .triangle_max = %u,\n    .init = init,\n%s    .frame = %s_frame,\n};\n",
             demo.name, (unsigned)demo.loop_frames, (unsigned)demo.arena_bytes, (unsigned)demo.arena_bytes_32,
             (unsigned)demo.arena_bytes_32, (unsigned)demo.vertex_max, (unsigned)demo.triangle_max,
+            moves ? "    .select = animation_select,\n" : "",
             moves      ? "animation"
             : is_still ? "demo_still"
                        : "demo_turntable");

@@ -173,14 +173,14 @@ static void put_name(FILE *file, const char *name)
     }
 }
 
-static void put_clips(FILE *file, const struct model_motion *m)
+static void put_clips(FILE *file, const struct animation *a)
 {
-    for (uint32_t i = 0; i < m->clip_count; i++) {
-        put_clip_data(file, &m->clips[i], i);
+    for (uint32_t i = 0; i < a->clip_count; i++) {
+        put_clip_data(file, &a->clips[i], i);
     }
     fputs("\nstatic const struct ph_clip clips[] = {\n", file);
-    for (uint32_t i = 0; i < m->clip_count; i++) {
-        const struct ph_clip *clip = &m->clips[i];
+    for (uint32_t i = 0; i < a->clip_count; i++) {
+        const struct ph_clip *clip = &a->clips[i];
         fputs("    {\"", file);
         put_name(file, clip->name);
         fprintf(file, "\", tracks_%u, %u, %" PRId32 "},\n", (unsigned)i, (unsigned)clip->track_count, clip->duration);
@@ -201,12 +201,11 @@ static void put_outline(FILE *file, const struct animation *a)
 
 void asset_write_motion(FILE *file, const struct model *model)
 {
-    const struct model_motion *m = model->motion;
-    const struct animation *a = &m->animation;
+    const struct animation *a = &model->motion->animation;
     put_rig(file, a);
     put_moving(file, a);
-    if (m->clip_count > 0) {
-        put_clips(file, m);
+    if (a->clip_count > 0) {
+        put_clips(file, a);
     }
     if (a->outline_count > 0) {
         put_outline(file, a);
@@ -215,7 +214,9 @@ void asset_write_motion(FILE *file, const struct model *model)
             (unsigned)a->rig.node_count);
     put_matrix(file, &a->root);
     if (a->clip != NULL) {
-        fprintf(file, ",\n    .clip = &clips[%u]", (unsigned)(a->clip - m->clips));
+        fprintf(file,
+                ",\n    .clip = &clips[%u],\n    .clips = clips,\n    .clip_count = %u,\n    .cross_fade = %" PRId32,
+                (unsigned)(a->clip - a->clips), (unsigned)a->clip_count, a->cross_fade);
     }
     fprintf(file, ",\n    .meshes = moving,\n    .mesh_count = %u,\n    .weight_count = %u,\n", (unsigned)a->mesh_count,
             (unsigned)a->weight_count);

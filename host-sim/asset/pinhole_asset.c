@@ -83,8 +83,8 @@ static int run(const struct asset_options *o)
     }
     status = model_play(model, o->clip);
     if (status == 0 && o->clip != NULL) { /* the others take no flash */
-        model->motion->clips = model->motion->animation.clip;
-        model->motion->clip_count = 1;
+        model->motion->animation.clips = model->motion->animation.clip;
+        model->motion->animation.clip_count = 1;
     }
     status = status == 0 ? run_on(model, o) : status;
     model_close(model);

@@ -15,9 +15,10 @@
  * come as close to the model as they can. A panel of another shape shows all of the camera's picture.
  * A camera in whose picture less than 5 % show the model is left out, and noted.
  *
- * The first clip of a glTF file plays, and repeats: nodes, skins of up to 256 joints and morph targets move, in fixed
- * point, as on a kit (motion.h). The sphere is that around all that the clips show. Vertices are right to 1/1000 of its
- * radius at every time; a file with a number that the fixed point has no room for is refused, and the number named.
+ * The clips of a glTF file play one by one, and repeat; the first one begins: nodes, skins of up to 256 joints and
+ * morph targets move, in fixed point, as on a kit (motion.h). The sphere is that around all that the clips show.
+ * Vertices are right to 1/1000 of its radius at every time; a file with a number that the fixed point has no room for
+ * is refused, and the number named.
  *
  * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending, emission
  * (a factor, and a texture at the coordinates of the base colour's), unlit, mirrored textures and
@@ -52,9 +53,7 @@ struct model_rounding {
 };
 
 struct model_motion {
-    struct animation animation; /* its clip is that which plays */
-    const struct ph_clip *clips;
-    uint32_t clip_count;
+    struct animation animation;
     double scale;     /* lengths of the model in those of the file */
     double centre[3]; /* what the model's origin is in the file */
     struct model_rounding rounding;
@@ -78,8 +77,9 @@ struct model_options {
     const char *texture; /* a picture for all that has texture coordinates, or NULL */
     const char *filter;  /* of its textures: "nearest", "bilinear", "mipmap", or "file": as the samplers of a glTF file
                             say; NULL: nearest. A binary scene keeps its own. */
-    bool two_sided;      /* all faces are drawn from behind, too */
-    bool allow_outside;  /* it may name files outside of its folder */
+    uint32_t cross_fade_ms; /* how long the way from one clip to the next takes; 0: ANIMATION_CROSS_FADE */
+    bool two_sided;         /* all faces are drawn from behind, too */
+    bool allow_outside;     /* it may name files outside of its folder */
 };
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): names, which stand in none */
@@ -109,6 +109,13 @@ struct model_options {
          "nearest, bilinear, mipmap or file",                                                                          \
          .at = offsetof(options, member.filter),                                                                       \
          .words = "nearest|bilinear|mipmap|file"},                                                                     \
+        {"cross-fade",                                                                                                 \
+         "MS",                                                                                                         \
+         "how long the select button takes from one clip to the next; 250 ms by default",                              \
+         "a whole number, 1 .. 10000",                                                                                 \
+         .at = offsetof(options, member.cross_fade_ms),                                                                \
+         .least = 1,                                                                                                   \
+         .most = 10000},                                                                                               \
         {"two-sided", NULL, "draws all faces of the model from behind, too", NULL,                                     \
          .at = offsetof(options, member.two_sided)},                                                                   \
         MODEL_OPTION_OUTSIDE(options, member.allow_outside)
@@ -128,7 +135,7 @@ uint32_t model_blend_triangles(const struct model *model, uint32_t width);
 /* Frames of the clip that plays; 0: there is none. */
 uint32_t model_clip_frames(const struct model *model);
 
-/* Plays the clip of that name from now on; NULL changes nothing. 0, or after complaining PH_ERR_INVAL. */
+/* Begins with the clip of that name from now on; NULL changes nothing. 0, or after complaining PH_ERR_INVAL. */
 int model_play(struct model *model, const char *name);
 
 /* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else `turntable` alone. Its

@@ -85,6 +85,7 @@ struct demo model_demo(const struct model *model)
                          .triangle_max = model->triangle_count + model->triangle_count / 4 + DEMO_TURNTABLE_TRIANGLES +
                                          model_blend_triangles(model, 1024),
                          .init = model->has_camera ? camera_init : turntable_init,
+                         .select = a != NULL ? animation_select : NULL,
                          .frame = a != NULL           ? animation_frame
                                   : model->has_camera ? camera_frame
                                                       : demo_turntable_frame};

@@ -10,7 +10,7 @@
 static const char *clip_name(const void *from, size_t i)
 {
     const struct model_motion *motion = from;
-    return motion != NULL && i < motion->clip_count ? motion->clips[i].name : NULL;
+    return motion != NULL && i < motion->animation.clip_count ? motion->animation.clips[i].name : NULL;
 }
 
 static int refuse(const struct model_motion *motion, const char *name)
@@ -42,7 +42,7 @@ int model_play(struct model *model, const char *name)
     if (clip_name(m, i) == NULL) {
         return refuse(m, name);
     }
-    m->animation.clip = &m->clips[i];
+    m->animation.clip = &m->animation.clips[i];
     if (model->scene != NULL) {
         scene_motion_play((void *)(uintptr_t)model->scene, i); /* the model's own copy */
     }

@@ -141,7 +141,7 @@ int model_open(struct model **model, const char *path, const struct model_option
     struct model_shared *shared = memory;
     const size_t head = (sizeof *shared + 15) & ~(size_t)15;
     shared->arena = (struct demo_arena){.base = (uint8_t *)memory + head, .size = SHARED_BYTES - head};
-    shared->options = options != NULL ? *options : (struct model_options){NULL, NULL, NULL, false, false};
+    shared->options = options != NULL ? *options : (struct model_options){.up = NULL};
     status = read_in_child(shared, path);
     if (status != 0) {
         munmap(memory, SHARED_BYTES);

@@ -43,6 +43,29 @@ static uint8_t *read_behind(const char *path, size_t before, size_t *n)
     return memory;
 }
 
+/* Makes the clips with their tracks, which the asset tool writes again. False: the arena is full. */
+static bool make_clips(const struct scene_file_head *file, struct demo_arena *arena, struct animation *a)
+{
+    const struct scene_file_motion *motion = scene_file_at(file, file->motion);
+    const struct scene_file_clip *from = scene_file_at(file, motion->clips);
+    struct ph_clip *clips = demo_alloc(arena, sizeof *clips * a->clip_count);
+    for (uint32_t i = 0; clips != NULL && i < a->clip_count; i++) {
+        struct ph_track *tracks = demo_alloc(arena, sizeof *tracks * from[i].track_count);
+        for (uint32_t k = 0; tracks != NULL && k < from[i].track_count; k++) {
+            tracks[k] = scene_motion_track(file, &from[i], k);
+        }
+        if (tracks == NULL) {
+            return false;
+        }
+        clips[i] = a->clips[i];
+        clips[i].tracks = tracks;
+    }
+    a->clips = clips;
+    a->clip = clips != NULL && a->clip_count > 0 ? &clips[motion->playing] : NULL;
+    a->sample = NULL;
+    return clips != NULL;
+}
+
 /* Makes the meshes in their bind pose, and all clips. False: the arena is full. */
 static bool make_model(struct scene *scene, const struct scene_file_head *file)
 {
@@ -55,22 +78,16 @@ static bool make_model(struct scene *scene, const struct scene_file_head *file)
     if (file->motion == 0 || model->meshes == NULL) {
         return model->meshes != NULL;
     }
-    const struct scene_file_motion *from = (const void *)((const uint8_t *)file + file->motion);
     const struct animation *animation = scene_motion_make(file, &scene->arena);
-    struct ph_clip *clips = demo_alloc(&scene->arena, sizeof *clips * from->clip_count);
     const struct animation_stage *stage =
         animation != NULL ? animation_begin(&scene->arena, animation, model->meshes, model->mesh_count) : NULL;
-    bool is_done = clips != NULL && stage != NULL;
-    for (uint32_t i = 0; i < from->clip_count && is_done; i++) {
-        is_done = scene_motion_clip(file, i, &scene->arena, &clips[i]);
+    if (stage == NULL) {
+        return false;
     }
-    if (is_done) {
-        scene->motion = (struct model_motion){.animation = *animation, .clips = clips, .clip_count = from->clip_count};
-        scene->motion.animation.clip = from->clip_count > 0 ? &clips[from->playing] : NULL;
-        model->motion = &scene->motion;
-        model->meshes = stage->meshes;
-    }
-    return is_done;
+    scene->motion = (struct model_motion){.animation = *animation};
+    model->motion = &scene->motion;
+    model->meshes = stage->meshes;
+    return make_clips(file, &scene->arena, &scene->motion.animation);
 }
 
 int model_phs_open(struct model **model, const char *path)

@@ -191,8 +191,11 @@ bool model_rig_clips_make(struct model_shared *shared, struct model_motion *to, 
             return false;
         }
     }
-    to->clips = clips;
+    to->animation.clips = clips;
     to->animation.clip = n > 0 ? clips : NULL;
-    to->clip_count = n;
+    to->animation.clip_count = n;
+    to->animation.cross_fade = shared->options.cross_fade_ms != 0
+                                   ? (fx_t)(((uint64_t)shared->options.cross_fade_ms << 16) / 1000)
+                                   : ANIMATION_CROSS_FADE;
     return true;
 }

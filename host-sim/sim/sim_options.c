@@ -217,7 +217,7 @@ static const struct option_row rows[] = {
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct sim_options, model)},
     MODEL_OPTION_ROWS(struct sim_options, model_options),
-    {"clip", "NAME", "the animation of the model that plays; its first by default", "the name of an animation",
+    {"clip", "NAME", "the animation of the model that plays first; its first by default", "the name of an animation",
      .at = offsetof(struct sim_options, clip)},
     {"clip-fps", "N",
      "frames in a second of the animation: frame number F shows it at F / N s; 30 by default, but a window that its\n"
@@ -308,7 +308,9 @@ static const struct option_row rows[] = {
      .at = offsetof(struct sim_options, crc)},
     {"keys", "FILE",
      "presses buttons; a line is FRAME BUTTON[+BUTTON...] [COUNT], # comments; up down left right select;\n"
-     "        left and right orbit (steer the snake), up comes nearer, down goes away, select takes the next demo",
+     "        left and right orbit (steer the snake), up comes nearer, down goes away, select takes the next clip of "
+     "a\n"
+     "        model, and then the next demo",
      "a file", .at = offsetof(struct sim_options, keys)},
     {"window", NULL,
      "shows the panel live, scaled up; arrows and Enter or space are its buttons, the mouse and\n"
@@ -437,6 +439,7 @@ static int check_together(const struct sim_options *o)
                                  : o->goal_set        ? "max-triangles"
                                  : m->filter != NULL  ? "filter"
                                  : m->up != NULL      ? "up"
+                                 : m->cross_fade_ms   ? "cross-fade"
                                  : m->two_sided       ? "two-sided"
                                  : m->allow_outside   ? "allow-outside"
                                  : m->texture != NULL ? "texture"

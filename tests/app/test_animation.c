@@ -136,7 +136,7 @@ static void a_32_bit_target_takes_less_for_pointers(void **state)
     (void)state;
     const struct animation_need need = animation_need(&scene);
     assert_int_equal(animation_bytes(&need, &scene, MESHES, true),
-                     40 + (MESHES * 52 + 7) / 8 * 8 + 2 * 40 + 2 * 48 + 5 * 48 + 8 + 2 * 24 + need.vertex_bytes);
+                     88 + (MESHES * 52 + 7) / 8 * 8 + 2 * 40 + 2 * 48 + 5 * 48 + 8 + 2 * 24 + need.vertex_bytes);
 }
 
 /* ---- motion ------------------------------------------------------------------------------------------------------ */
@@ -269,6 +269,158 @@ static void a_clip_of_no_length_stands(void **state)
     expect_at(&s->meshes[2], 0, 2, 2, 3);
 }
 
+/* ---- several clips ----------------------------------------------------------------------------------------------- */
+
+/* Clips of one key: at z = 0, 1 and 2; the second lasts 2 s and goes on to z = 3, and has half of the first weight,
+ * too. */
+static const int16_t stands[][3] = {{0, 8192, 0}, {0, 8192, 4096}, {0, 8192, 12288}, {0, 8192, 8192}};
+static const int16_t halves[] = {4096, 4096};
+static const fx_t ends[] = {0, 2 * FX_ONE};
+#define PLACE(count, from)                                                                                             \
+    {                                                                                                                  \
+        1, PH_PATH_TRANSLATION, PH_KEYS_LINEAR, 3, 12, count, ends, stands[from]                                       \
+    }
+static const struct ph_track stand_tracks[] = {
+    PLACE(1, 0), PLACE(2, 1), {0, PH_PATH_WEIGHTS, PH_KEYS_LINEAR, 1, 13, 2, ends, halves}, PLACE(1, 3)};
+static const struct ph_clip three[] = {{"low", stand_tracks, 1, FX_ONE},
+                                       {"rises", stand_tracks + 1, 2, 2 * FX_ONE},
+                                       {"high", stand_tracks + 3, 1, FX_ONE}};
+
+static struct demo_context selects = {.width = 1};
+
+static struct animation_stage *begin_three(struct animation *a, uint32_t first, fx_t fade)
+{
+    *a = scene;
+    a->clip = &three[first];
+    a->clips = three;
+    a->clip_count = 3;
+    a->cross_fade = fade;
+    struct animation_stage *const s = begin(a);
+    selects.state = s;
+    selects.clip = NULL;
+    return s;
+}
+
+static double z_at(struct animation_stage *s, double seconds)
+{
+    const struct demo_clock clock = {.seconds = (uint32_t)seconds,
+                                     .part = (uint16_t)((seconds - (uint32_t)seconds) * 65536)};
+    if (s->starts) { /* as a frame does */
+        s->layers[s->layer_count - 1].since = clock;
+        s->starts = false;
+    }
+    animation_move_at(s, NULL, clock);
+    return s->pose[1].t.z / (double)ONE_Q24;
+}
+
+static void select_goes_through_all_clips_and_ends_before_the_first(void **state)
+{
+    (void)state;
+    struct animation a;
+    for (uint32_t first = 0; first < 3; first++) {
+        begin_three(&a, first, FX_ONE);
+        for (uint32_t i = 1; i < 3; i++) {
+            assert_true(animation_select(&selects));
+            assert_string_equal(selects.clip, three[(first + i) % 3].name);
+        }
+        assert_false(animation_select(&selects));
+        assert_false(animation_select(&selects));
+    }
+    selects.state = begin(&scene);
+    assert_false(animation_select(&selects)); /* its clip plays alone */
+}
+
+/* A fade of half a second; the clip that comes plays from its beginning, while it fades in. */
+static void a_clip_fades_in_from_its_beginning(void **state)
+{
+    (void)state;
+    struct animation a;
+    struct animation_stage *const s = begin_three(&a, 0, FX_HALF);
+    assert_near(z_at(s, 7), 0, 1e-4);
+    assert_true(animation_select(&selects));
+    assert_near(z_at(s, 7.25), 0, 1e-4);
+    assert_int_equal(s->weights[0], 7 * ONE_Q24);
+    assert_near(z_at(s, 7.5), .5 * (1 + .25), 1e-3);
+    assert_near(s->weights[0] / (double)ONE_Q24, 7 - .5 * 6.5, 1e-3);
+    assert_near(s->weights[1] / (double)ONE_Q24, .5, 1e-6);
+    assert_near(z_at(s, 7.625), .75 * (1 + .375), 1e-3);
+    assert_near(z_at(s, 7.75), 1.5, 1e-3);
+    assert_near(z_at(s, 8.75), 2.5, 1e-3);
+    assert_near(z_at(s, 9.75), 1.5, 1e-3); /* it repeats */
+    assert_near(s->weights[0] / (double)ONE_Q24, .5, 1e-6);
+    assert_near(z_at(s, 7.5), .5 * (1 + .25), 1e-3); /* a frame may come again */
+    assert_near(z_at(s, 1), 0, 1e-4);                /* or one before it */
+}
+
+static void without_a_fade_the_next_clip_is_there_at_once(void **state)
+{
+    (void)state;
+    struct animation a;
+    struct animation_stage *const s = begin_three(&a, 0, 0);
+    assert_near(z_at(s, 3), 0, 1e-4);
+    assert_true(animation_select(&selects));
+    assert_near(z_at(s, 3.5), 1, 1e-4);
+}
+
+/* A fade longer than 2^15 / 2^16 s, of which the share is divided by more than 16 bits. */
+static void a_long_fade_takes_its_time(void **state)
+{
+    (void)state;
+    struct animation a;
+    struct animation_stage *const s = begin_three(&a, 1, 20 * FX_ONE);
+    z_at(s, 0);
+    assert_true(animation_select(&selects));
+    z_at(s, 4);
+    assert_near(z_at(s, 8), .8 * 1 + .2 * 2, 1e-3);
+    assert_near(z_at(s, 22), .1 * 1 + .9 * 2, 1e-3);
+    assert_near(z_at(s, 23.5), .025 * 2.5 + .975 * 2, 1e-3);
+    assert_near(z_at(s, 24), 2, 1e-3);
+    assert_near(z_at(s, 70000), 2, 1e-3);
+}
+
+/* Nothing leaps where a clip is chosen while another one still fades in; what a press passes over is not seen. */
+static void a_second_press_fades_on_from_where_it_is(void **state)
+{
+    (void)state;
+    struct animation a;
+    struct animation_stage *s = begin_three(&a, 0, FX_ONE);
+    z_at(s, 0);
+    assert_true(animation_select(&selects));
+    z_at(s, 10);
+    const double before = z_at(s, 10.5);
+    assert_true(animation_select(&selects));
+    assert_near(z_at(s, 10.5), before, 1e-4);
+    assert_near(z_at(s, 10.75), .75 * (.75 * 1.75) + .25 * 2, 1e-3);
+    assert_near(z_at(s, 11.25), .25 * 2.25 + .75 * 2, 1e-3);
+    assert_near(z_at(s, 11.5), 2, 1e-3);
+    s = begin_three(&a, 0, FX_ONE);
+    assert_true(animation_select(&selects) && animation_select(&selects)); /* before a frame */
+    z_at(s, 20);
+    assert_near(z_at(s, 20.25), .25 * 2, 1e-3);
+}
+
+/* A fourth clip within one fade: the first one no longer shows, the others do. */
+static void the_oldest_of_four_clips_is_gone(void **state)
+{
+    static const struct ph_clip four[] = {{"a", stand_tracks, 1, FX_ONE},
+                                          {"b", stand_tracks + 3, 1, FX_ONE},
+                                          {"c", stand_tracks, 1, FX_ONE},
+                                          {"d", stand_tracks + 3, 1, FX_ONE}};
+    (void)state;
+    struct animation a;
+    begin_three(&a, 0, FX_ONE);
+    a.clip = a.clips = four;
+    a.clip_count = 4;
+    struct animation_stage *const s = begin(&a);
+    selects.state = s;
+    for (uint32_t i = 0; i < 3; i++) {
+        assert_true(animation_select(&selects));
+        z_at(s, 5 + .25 * i);
+    }
+    assert_near(z_at(s, 5.75), 2 * .5 * .75 + 2 * .25, 1e-3);
+    assert_near(z_at(s, 6.5), 2, 1e-3);
+}
+
 /* ---- as a demo --------------------------------------------------------------------------------------------------- */
 
 static const struct animation nodes_alone = {
@@ -320,6 +472,30 @@ static void frames_go_on_where_their_count_begins_anew(void **state)
     demo_stage_close(&s);
 }
 
+/* Frame 90 is at 3 s, where the clip that begins has its first key; with a fade of one second. */
+static void a_clip_that_is_selected_begins_with_the_next_frame(void **state)
+{
+    (void)state;
+    static const struct ph_clip two[] = {{"low", stand_tracks, 1, FX_ONE}, {"rises", stand_tracks + 1, 1, 2 * FX_ONE}};
+    static const struct animation both = {
+        .rig = {nodes, 2}, .clip = two, .clips = two, .clip_count = 2, .cross_fade = FX_ONE};
+    struct demo_stage s = demo_stage_open(&cube, 32, 32);
+    struct animation_stage *const stage = s.context.state;
+    stage->animation = &both;
+    stage->layers[0].clip = two;
+    struct ph_pose next[2];
+    stage->next_pose = next;
+    demo_stage_frame(&s, 80);
+    assert_true(animation_select(&s.context));
+    demo_stage_frame(&s, 90);
+    assert_near(stage->pose[1].t.z / (double)ONE_Q24, 0, 1e-4);
+    demo_stage_frame(&s, 105);
+    assert_near(stage->pose[1].t.z / (double)ONE_Q24, .5 * 1.5, 1e-3);
+    demo_stage_frame(&s, 135);
+    assert_near(stage->pose[1].t.z / (double)ONE_Q24, 2.5, 1e-3);
+    demo_stage_close(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -335,6 +511,13 @@ int main(void)
         cmocka_unit_test(without_targets_for_normals_the_normals_stay),
         cmocka_unit_test(without_a_clip_it_rests),
         cmocka_unit_test(a_clip_of_no_length_stands),
+        cmocka_unit_test(select_goes_through_all_clips_and_ends_before_the_first),
+        cmocka_unit_test(a_clip_fades_in_from_its_beginning),
+        cmocka_unit_test(without_a_fade_the_next_clip_is_there_at_once),
+        cmocka_unit_test(a_long_fade_takes_its_time),
+        cmocka_unit_test(a_second_press_fades_on_from_where_it_is),
+        cmocka_unit_test(the_oldest_of_four_clips_is_gone),
+        cmocka_unit_test(a_clip_that_is_selected_begins_with_the_next_frame),
         cmocka_unit_test(frames_go_on_where_their_count_begins_anew),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -267,6 +267,36 @@ static void up_and_down_together_select(void **state)
     stage_close(s);
 }
 
+/* A cube, of which the select button first goes through two clips. */
+static int clips_left;
+static bool take_clip(struct demo_context *context)
+{
+    context->clip = "run";
+    return clips_left-- > 0;
+}
+
+static void select_asks_the_demo_before_it_takes_the_next(void **state)
+{
+    (void)state;
+    struct demo demo = *demo_find("cube");
+    demo.select = take_clip;
+    clips_left = 2;
+    struct stage *s = stage_open(board_find("pico-display"), board_find("pico-display")->scene_bytes, 0);
+    s->runner.demo = &demo;
+    for (uint32_t i = 0; i < 6; i++) { /* a held button asks once */
+        s->bus.buttons = i % 3 < 2 ? HAL_BUTTON_SELECT : 0;
+        assert_int_equal(runner_frame(&s->runner, i), 0);
+        assert_ptr_equal(s->runner.demo, &demo);
+        assert_int_equal(clips_left, i < 3 ? 1 : 0);
+        assert_string_equal(s->runner.context.clip, "run");
+    }
+    s->bus.buttons = HAL_BUTTON_SELECT;
+    assert_int_equal(runner_frame(&s->runner, 6), 0);
+    assert_ptr_not_equal(s->runner.demo, &demo);
+    assert_null(s->runner.context.clip);
+    stage_close(s);
+}
+
 static void too_little_memory_is_refused(void **state)
 {
     (void)state;
@@ -726,6 +756,7 @@ int main(void)
         cmocka_unit_test(select_takes_the_next_demo_that_fits),
         cmocka_unit_test(a_button_that_is_held_selects_once),
         cmocka_unit_test(up_and_down_together_select),
+        cmocka_unit_test(select_asks_the_demo_before_it_takes_the_next),
         cmocka_unit_test(too_little_memory_is_refused),
         cmocka_unit_test(a_smaller_budget_leaves_out_more_and_counts_it),
     };

@@ -26,10 +26,10 @@ printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 
 
 erased() { head -c "$1" /dev/zero | tr '\0' '\377'; }
 
-emulate() { # scene, frames: what the image says, and the frames' checksums
+emulate() { # scene, frames, options of the emulator: what the image says, and the frames' checksums
     local image="$B/firmware/$made.bin"
     { cat "$image" && erased $((offset - $(stat -c %s "$image"))) && cat "$1"; } >"$dir/a.bin"
-    B=$B BOARD=$board CORES=$cores host-sim/emulate/emulate_rp2.sh "$dir/a.elf" "$dir/out" "$2" 2>&1
+    B=$B BOARD=$board CORES=$cores host-sim/emulate/emulate_rp2.sh "$dir/a.elf" "$dir/out" "$2" "${@:3}" 2>&1
 }
 
 draws_the_simulators_frames() { # scene, demo's name: and they differ
@@ -40,6 +40,15 @@ draws_the_simulators_frames() { # scene, demo's name: and they differ
 plays_the_clip() { # also the file itself
     draws_the_simulators_frames "$dir/moving.phs" moving && "$B/pinhole-sim" --model tests/host-sim/asset/moving.gltf --board "$board" --frames 4 --crc | cmp - "$dir/expected" &&
         "$B/pinhole-sim" --model "$dir/moving.phs" --clip hold --board "$board" --frames 4 --crc >"$dir/hold" && ! cmp -s "$dir/hold" "$dir/expected"
+}
+
+# 's' in frame 3 fades into the other clip until frame 10 (250 ms); in frame 12 there is no other: the first demo comes.
+select_goes_through_the_clips() {
+    printf '3 select\n12 select\n' >"$dir/keys"
+    emulate "$dir/moving.phs" 14 --send 2:s --send 11:s >"$dir/said" &&
+        "$B/pinhole-sim" --model "$dir/moving.phs" --board "$board" --frames 14 --keys "$dir/keys" --crc >"$dir/expected" &&
+        "$B/pinhole-sim" --model "$dir/moving.phs" --board "$board" --frames 14 --crc | head -n 3 | cmp - <(head -n 3 "$dir/expected") || return 1
+    grep '^frame [0-9]* crc' "$dir/said" | diff - "$dir/expected" && grep -o '^\(demo\|clip\) [a-z]*' "$dir/said" | paste -sd, | grep -x 'demo moving,clip hold,demo turntable'
 }
 
 own_demo() { # scene: the image's first frame is its own, and it says this, or (empty) nothing about a scene
@@ -76,6 +85,7 @@ interrupted_writes() {
 
 check "a scene in flash gives the simulator's frames" draws_the_simulators_frames "$dir/scene.phs" scene
 check "an animation in flash plays as in the simulator" plays_the_clip
+check "the select button fades into the next clip, and takes the next demo behind the last, as in the simulator" select_goes_through_the_clips
 if [ -n "$MOMENTS" ]; then
     check "without one, or with a damaged one, the demos come, and the UART says why" damage_is_told
     check "a write that was interrupted leaves the demos ($MOMENTS moments)" interrupted_writes

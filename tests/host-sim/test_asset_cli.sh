@@ -137,6 +137,23 @@ clips_are_played_by_name() { # sway, hold
         refuses 2 "no such clip; did you mean hold? it has sway, hold" "$moving" -o "$dir/n.phs" --clip hoId
 }
 
+# hold stands still, so that behind the fade each frame is its own, whenever it began: 250 ms are 8 frames, 50 ms are 2.
+clips_fade_into_each_other() {
+    local form shown
+    printf '3 select\n' >"$dir/keys"
+    clip_crcs "$moving" >"$dir/sway" && clip_crcs "$moving" hold >"$dir/hold" && "$asset" "$moving" -o "$dir/fast.phs" --cross-fade 50 || return 1
+    for form in "$moving --cross-fade 250" "$dir/clips.phs" "$moving --cross-fade 50" "$dir/fast.phs"; do
+        # shellcheck disable=SC2086 # a file and an option
+        "$B/pinhole-sim" --model $form --size 120x90 --frames 24 --crc --keys "$dir/keys" >"$dir/faded" || return 1
+        shown=$(paste -d' ' "$dir/sway" "$dir/hold" "$dir/faded" | awk '{ printf "%s", $12 == $4 ? "s" : $12 == $8 ? "h" : "-" }')
+        echo "$form: $shown"
+        case $form in
+        *250 | *clips.phs) [ "$shown" = "ssss-------hhhhhhhhhhhhh" ] || return 1 ;;
+        *) [ "$shown" = "ssss-hhhhhhhhhhhhhhhhhhh" ] || return 1 ;;
+        esac
+    done
+}
+
 rounding_is_reported() { # half a step: of positions in Q1.15, of times in 2^-16 s; rotations have 15 bits
     "$asset" "$moving" --report --board pico-display >"$dir/report" && cat "$dir/report" && grep -q '^motion  *8 nodes, 2 clips: sway .* plays, hold' "$dir/report" || return 1
     tr ',\n' '  ' <"$dir/report" | sed 's/.*rounding *//' | awk '{ exit !($1 == "positions" && $2 > 1e-5 && $2 <= 1.6e-5 && $5 == $2 && $0 ~ /of rotation 0\.00[1-4][0-9]* degrees/ && $0 ~ /times [4-7]\.?[0-9]*e-06 s/) }'
@@ -301,6 +318,7 @@ short "little_room_gets_no_platter" little_room_gets_no_platter
 short "clang_and_arm_gcc_compile_it_and_its_size_is_as_reported" clang_and_arm_compile_it "$scene"
 long "so they do with an animation" clang_and_arm_compile_it "$moving"
 short "a clip is played by its name in every form" clips_are_played_by_name
+short "the select button fades into the next clip, as fast as --cross-fade says" clips_fade_into_each_other
 short "the report says by how much 16-bit numbers are off" rounding_is_reported
 short "filters_are_in_the_file_and_change_the_picture" filters_are_in_the_file
 short "odd_names_stay_out_of_the_c_file" odd_names_stay_out_of_the_c_file

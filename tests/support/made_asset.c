@@ -199,12 +199,13 @@ static void make_motion(void)
     made.motion = (struct model_motion){.animation = {.rig = {made.nodes, MADE_NODES},
                                                       .root = matrix(-9),
                                                       .clip = &made.clips[1],
+                                                      .clips = made.clips,
+                                                      .clip_count = MADE_CLIPS,
+                                                      .cross_fade = 12345,
                                                       .meshes = made.moving,
                                                       .mesh_count = MADE_MOVING,
                                                       .weight_count = MADE_WEIGHTS,
-                                                      .rest_weights = made.weights},
-                                        .clips = made.clips,
-                                        .clip_count = MADE_CLIPS};
+                                                      .rest_weights = made.weights}};
     made.asset.model.motion = &made.motion;
 }
 

@@ -1,13 +1,12 @@
 /*
  * The image of all demos. The first demo starts, or the scene that the image was built with; the select button takes
- * the next.
+ * the next clip of a scene, and then the next demo.
  *
- * On the log UART (115200 8N1) it writes which demo starts, a line about frames each second, and why it stopped. It
- * reads single characters:
- *   B          reboot into the chip's boot loader (as a button does that is held at power-up)
- *   H          draw one frame, write a line about it, and hold; G: go on
- *   R          a report of the kit to paste (self_test.h); then it holds, with the test card on the glass
- *   u d l r s  as if the kit's button were held during one frame
+ * On the log UART (115200 8N1) it writes which demo or clip starts, a line about frames each second, and why it
+ * stopped. It reads single characters: B          reboot into the chip's boot loader (as a button does that is held at
+ * power-up) H          draw one frame, write a line about it, and hold; G: go on R          a report of the kit to
+ * paste (self_test.h); then it holds, with the test card on the glass u d l r s  as if the kit's button were held
+ * during one frame
  */
 #include "image.h"
 #include "port.h"
@@ -46,10 +45,10 @@ static void log_frame(const struct runner *runner, uint32_t frame, uint32_t rate
     port_log("\r\n");
 }
 
-static void log_demo(const struct runner *runner)
+static void log_start(const char *kind, const char *name)
 {
-    port_log("demo ");
-    port_log(runner->demo->name);
+    port_log(kind);
+    port_log(name);
     port_log("\r\n");
 }
 
@@ -94,6 +93,7 @@ static void listen(struct console *console, const struct hal *hal)
 static int draw(struct runner *runner, struct console *console, uint32_t frame)
 {
     const struct demo *before = runner->demo;
+    const char *const clip = runner->context.clip;
     const uint32_t now = runner->hal.ops->time_us(runner->hal.context);
     runner_pass(runner, console->first ? 0 : now - console->frame_us);
     console->frame_us = now;
@@ -107,7 +107,9 @@ static int draw(struct runner *runner, struct console *console, uint32_t frame)
         status = runner_finish(runner);
     }
     if (runner->demo != before) {
-        log_demo(runner);
+        log_start("demo ", runner->demo->name);
+    } else if (runner->context.clip != clip) {
+        log_start("clip ", runner->context.clip);
     }
     return status;
 }
@@ -157,7 +159,7 @@ static int run(struct runner *runner)
 {
     struct console console = {.first = true, .counted_us = runner->hal.ops->time_us(runner->hal.context)};
     int status = 0;
-    log_demo(runner);
+    log_start("demo ", runner->demo->name);
     for (uint32_t frame = 0; status == 0; frame++) {
         listen(&console, &runner->hal);
         if (console.reporting) {

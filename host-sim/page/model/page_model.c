@@ -32,8 +32,8 @@ int page_model_open(int up, unsigned filter, int two_sided)
                                           .two_sided = two_sided != 0};
     const int status = model_open(&page.model, page.path, &options);
     if (status == 0 && page.model->motion != NULL) {
-        page.clips = page.model->motion->clips;
-        page.clip_count = page.model->motion->clip_count;
+        page.clips = page.model->motion->animation.clips;
+        page.clip_count = page.model->motion->animation.clip_count;
     }
     return status;
 }
@@ -44,9 +44,9 @@ static void choose_clip(int clip)
     struct model_motion *const motion = page.model->motion;
     const bool is_one = clip >= 0 && (uint32_t)clip < page.clip_count;
     if (motion != NULL && page.clip_count > 0) {
-        motion->clips = is_one ? &page.clips[clip] : page.clips;
-        motion->clip_count = is_one ? 1 : page.clip_count;
-        motion->animation.clip = motion->clips;
+        motion->animation.clips = is_one ? &page.clips[clip] : page.clips;
+        motion->animation.clip_count = is_one ? 1 : page.clip_count;
+        motion->animation.clip = motion->animation.clips;
     }
 }
 

@@ -235,16 +235,15 @@ static void the_plan_is_asked_for_the_boards_own_picture(void **state)
     assert_ptr_equal(planned.board, board);
 }
 
-/* Four meshes, three of them moving; the clip that plays has three tracks. */
+/* Four meshes, three of them moving, and two clips. */
 static void tables_are_those_of_the_scene(void **state)
 {
     (void)state;
     struct asset *const asset = made_asset(true);
     for (int on_32 = 0; on_32 < 2; on_32++) {
-        asset->model.motion->animation.clip = &asset->model.motion->clips[1];
         const size_t meshes = scene_file_table_bytes(4, on_32 != 0);
-        assert_int_equal(asset_table_bytes(asset, on_32 != 0), meshes + scene_motion_table_bytes(3, 3, on_32 != 0));
-        asset->model.motion->animation.clip = NULL;
+        assert_int_equal(asset_table_bytes(asset, on_32 != 0), meshes + scene_motion_table_bytes(3, 2, on_32 != 0));
+        asset->model.motion->animation.clip_count = 0;
         assert_int_equal(asset_table_bytes(asset, on_32 != 0), meshes + scene_motion_table_bytes(3, 0, on_32 != 0));
         assert_int_equal(asset_table_bytes(made_asset(false), on_32 != 0), meshes);
         made_asset(true);

@@ -79,7 +79,7 @@ static void the_head_says_what_the_demo_needs(void **state)
     const struct scene_file_head *head = write_scene();
     const struct demo demo = asset_demo(asset);
     assert_memory_equal(bytes, "PHHS", 4);
-    assert_int_equal(head->version, 5);
+    assert_int_equal(head->version, 6);
     assert_int_equal(head->mesh_count, 4);
     assert_int_equal(head->flags, 0);
     assert_int_equal(head->vertex_max, demo.vertex_max);
@@ -244,11 +244,12 @@ static void a_rig_and_its_clips_are_written(void **state)
     assert_int_equal(to->weight_count, 3);
     assert_int_equal(to->clip_count, 2);
     assert_int_equal(to->playing, 1);
+    assert_int_equal(to->cross_fade, 12345);
     assert_memory_equal(to->r, a->root.r, sizeof to->r);
     assert_true(to->t[0] == a->root.t.x && to->t[1] == a->root.t.y && to->t[2] == a->root.t.z);
     const struct scene_file_clip *const clips = scene_file_at(head, to->clips);
     for (uint32_t c = 0; c < MADE_CLIPS; c++) {
-        const struct ph_clip *const clip = &from->clips[c];
+        const struct ph_clip *const clip = &from->animation.clips[c];
         assert_string_equal(clips[c].name, clip->name);
         assert_int_equal(clips[c].track_count, clip->track_count);
         assert_int_equal(clips[c].duration, clip->duration);
@@ -271,7 +272,7 @@ static void a_long_name_of_a_clip_is_cut(void **state)
 {
     (void)state;
     asset = made_asset(true);
-    struct ph_clip *const clips = (struct ph_clip *)(uintptr_t)asset->model.motion->clips;
+    struct ph_clip *const clips = (struct ph_clip *)(uintptr_t)asset->model.motion->animation.clips;
     clips[1].name = "a name that is longer than 40 characters of text";
     asset->model.motion->animation.clip = &clips[0];
     const struct scene_file_head *const head = write_scene();

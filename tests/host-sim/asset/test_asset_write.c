@@ -207,7 +207,7 @@ static void a_mesh_that_moves_has_no_positions(void **state)
     expect_none("positions_3");
     expect_once("static const struct animation animation = {");
     expect_once("    return animation_init(context, &animation, meshes, 4, NULL);\n");
-    expect_once("    .frame = animation_frame,\n");
+    expect_once("    .select = animation_select,\n    .frame = animation_frame,\n");
 }
 
 static void a_camera_is_its_matrix_and_lens(void **state)

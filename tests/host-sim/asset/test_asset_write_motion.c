@@ -60,7 +60,8 @@ static void the_rig_is_its_nodes_and_weights(void **state)
     c_text_expect_i32(text, "rest_weights", weights, 4);
     expect("\n    {-1, {{1073741824, 5, 6, 7}, {100, 200, -300}, {16777216, 16777216, 16777216}}},\n    {0, {{");
     expect("animation = {\n    .rig = {nodes, 3},\n    .root = {{{1073741824, 0, 0}, {0, 1073741824, 0}, {0, 0, "
-           "1073741824}}, {-9, -8, 9}},\n    .clip = &clips[1],\n    .meshes = moving,\n    .mesh_count = 3,\n"
+           "1073741824}}, {-9, -8, 9}},\n    .clip = &clips[1],\n    .clips = clips,\n"
+           "    .clip_count = 2,\n    .cross_fade = 12345,\n    .meshes = moving,\n    .mesh_count = 3,\n"
            "    .weight_count = 3,\n    .rest_weights = rest_weights,\n};\n");
 }
 
@@ -125,7 +126,7 @@ static void clips_are_their_tracks_and_keys(void **state)
 {
     (void)state;
     const struct model *const model = &made_asset(true)->model;
-    const struct ph_clip *const clips = model->motion->clips;
+    const struct ph_clip *const clips = model->motion->animation.clips;
     write_motion(model);
     for (unsigned c = 0; c < MADE_CLIPS; c++) {
         for (unsigned i = 0; i < clips[c].track_count; i++) {
@@ -153,7 +154,7 @@ static void names_keep_letters_digits_space_and_minus(void **state)
 {
     (void)state;
     const struct model *const model = &made_asset(true)->model;
-    ((struct ph_clip *)(uintptr_t)model->motion->clips)[0].name = "azAZ09 -_@[`{/:\\\"\n\x80";
+    ((struct ph_clip *)(uintptr_t)model->motion->animation.clips)[0].name = "azAZ09 -_@[`{/:\\\"\n\x80";
     write_motion(model);
     expect("    {\"azAZ09 -___________\", tracks_0,");
 }
@@ -164,11 +165,11 @@ static void a_clip_without_tracks_has_a_row_of_zeros(void **state)
     (void)state;
     const struct model *const model = &made_asset(true)->model;
     struct model_motion *const m = model->motion;
-    ((struct ph_clip *)(uintptr_t)m->clips)[0].track_count = 0;
+    ((struct ph_clip *)(uintptr_t)m->animation.clips)[0].track_count = 0;
     write_motion(model);
     expect("tracks_0[] = {\n    {0}};\n");
     m->animation.clip = NULL;
-    m->clip_count = 0;
+    m->animation.clip_count = 0;
     write_motion(model);
     assert_null(strstr(text, "clips"));
     assert_null(strstr(text, ".clip"));

@@ -83,7 +83,7 @@ static void what_moves_is_an_animation_before_the_same_cameras(void **state)
                                         i == 1 ? &model->camera : NULL),
                          0);
         expect_same();
-        assert_true(demo.frame == animation_frame);
+        assert_true(demo.frame == animation_frame && demo.select == animation_select);
         assert_true(ours.arena.used <= demo.arena_bytes);
     }
 }

@@ -20,7 +20,7 @@ static int fresh(void **state)
 {
     (void)state;
     motion = (struct model_motion){
-        .animation = {.clip = &clips[2], .meshes = meshes, .mesh_count = 2}, .clips = clips, .clip_count = 3};
+        .animation = {.clip = &clips[2], .clips = clips, .clip_count = 3, .meshes = meshes, .mesh_count = 2}};
     model = (struct model){.motion = &motion};
     return 0;
 }
@@ -32,7 +32,7 @@ static void a_name_chooses_the_clip(void **state)
     assert_ptr_equal(motion.animation.clip, &clips[2]);
     assert_int_equal(model_play(&model, "walk"), 0);
     assert_ptr_equal(motion.animation.clip, &clips[0]);
-    motion.clip_count = 4;
+    motion.animation.clip_count = 4;
     assert_int_equal(model_play(&model, "run"), 0);
     assert_ptr_equal(motion.animation.clip, &clips[1]);
 }
@@ -54,7 +54,7 @@ static void a_name_that_is_not_there_is_told_with_those_that_are(void **state)
     check_refusal("wall", "--clip 'wall': the model has no such clip; did you mean walk? it has walk, run, jump");
     check_refusal("", "--clip '': the model has no such clip; it has walk, run, jump");
     assert_ptr_equal(motion.animation.clip, &clips[2]);
-    motion.clip_count = 0;
+    motion.animation.clip_count = 0;
     check_refusal("walk", "--clip 'walk': the model has no such clip; it has none");
     model.motion = NULL;
     check_refusal("walk", "the model has no such clip; it has none");
@@ -69,7 +69,7 @@ static void a_long_list_is_cut(void **state)
     (void)state;
     memset(name, 'n', 200), name[200] = 0;
     snprintf(line, sizeof line, "it has %.199s\n", name);
-    motion.clips = two, motion.clip_count = 2;
+    motion.animation.clips = two, motion.animation.clip_count = 2;
     check_refusal("walk", line);
     name[100] = 0;
     snprintf(line, sizeof line, "it has %s, n\n", name);
@@ -77,7 +77,7 @@ static void a_long_list_is_cut(void **state)
     memset(name, 'n', 198), name[198] = 0;
     snprintf(line, sizeof line, "it has %s,\n", name);
     check_refusal("walk", line);
-    name[1] = 0, motion.clip_count = 1;
+    name[1] = 0, motion.animation.clip_count = 1;
     check_refusal("walk", "it has n\n");
 }
 

@@ -71,16 +71,23 @@ static void what_moves_has_all_clips_and_plays_its_own(void **state)
     for (int playing = 0; playing < MADE_CLIPS; playing++) {
         struct asset *const asset = made_asset(true);
         const struct model_motion *const from = asset->model.motion;
-        asset->model.motion->animation.clip = &from->clips[playing];
+        asset->model.motion->animation.clip = &from->animation.clips[playing];
         struct model *const model = open_good(file_bytes("m.phs", bytes, scene_of(asset)));
         const struct model_motion *const to = model->motion;
-        assert_true(to != NULL && to->clip_count == MADE_CLIPS && to->animation.mesh_count == MADE_MOVING);
+        assert_true(to != NULL && to->animation.clip_count == MADE_CLIPS && to->animation.mesh_count == MADE_MOVING);
         for (uint32_t i = 0; i < MADE_CLIPS; i++) {
-            assert_string_equal(to->clips[i].name, from->clips[i].name);
-            assert_int_equal(to->clips[i].track_count, from->clips[i].track_count);
-            assert_int_equal(to->clips[i].duration, from->clips[i].duration);
+            assert_string_equal(to->animation.clips[i].name, from->animation.clips[i].name);
+            assert_int_equal(to->animation.clips[i].track_count, from->animation.clips[i].track_count);
+            assert_int_equal(to->animation.clips[i].duration, from->animation.clips[i].duration);
+            for (uint32_t k = 0; k < to->animation.clips[i].track_count; k++) {
+                const struct ph_track *const t = &to->animation.clips[i].tracks[k], *const u = &from->animation.clips[i]
+                                                                                                    .tracks[k];
+                assert_true(t->node == u->node && t->path == u->path && t->key_count == u->key_count);
+                assert_memory_equal(t->times, u->times, t->key_count * sizeof *t->times);
+            }
         }
-        assert_ptr_equal(to->animation.clip, &to->clips[playing]);
+        assert_true(to->animation.sample == NULL && to->animation.cross_fade == 12345);
+        assert_ptr_equal(to->animation.clip, &to->animation.clips[playing]);
         for (uint32_t i = 0; i < MADE_MOVING; i++) {
             const struct ph_bound *const bound = &from->animation.meshes[i].bound;
             const struct ph_mesh *const mesh = &model->meshes[from->animation.meshes[i].mesh];

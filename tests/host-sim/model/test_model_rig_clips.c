@@ -34,7 +34,7 @@ static bool make(struct model_clip *clips, uint32_t n)
     shared.model.motion = &motion;
     shared.arena = (struct demo_arena){.base = memory, .size = sizeof memory};
     const bool done = model_rig_clips_make(&shared, &motion, &fit);
-    clip = motion.clips;
+    clip = motion.animation.clips;
     return done;
 }
 
@@ -213,8 +213,12 @@ static void clips_are_named_and_last_as_long_as_their_longest_track(void **state
                                   {.name = "0123456789012345678901234567890123456789012345678901234567890123456789"}};
     (void)state;
     assert_true(make(clips, 4));
-    assert_int_equal(motion.clip_count, 4);
+    assert_int_equal(motion.animation.clip_count, 4);
     assert_ptr_equal(motion.animation.clip, clip);
+    assert_int_equal(motion.animation.cross_fade, FX_ONE / 4);
+    shared.options.cross_fade_ms = 1500;
+    assert_true(model_rig_clips_make(&shared, &motion, &fit));
+    assert_int_equal(motion.animation.cross_fade, 3 * FX_HALF);
     assert_string_equal(clip[0].name, "walk");
     assert_string_equal(clip[1].name, "clip 1");
     assert_string_equal(clip[2].name, "clip 2");
@@ -242,7 +246,7 @@ static void clips_are_named_and_last_as_long_as_their_longest_track(void **state
         assert_non_null(strstr(shared.error, "too much memory"));
     }
     assert_true(make(clips, 0));
-    assert_true(motion.clip_count == 0 && motion.animation.clip == NULL);
+    assert_true(motion.animation.clip_count == 0 && motion.animation.clip == NULL);
 }
 
 int main(void)

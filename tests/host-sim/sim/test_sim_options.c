@@ -65,13 +65,14 @@ static void each_option_sets_its_own(void **state)
     assert_int_equal(o.convention, PH_REVERSED);
     take(
         "--model a --clip b --up z --texture c --filter file --two-sided --allow-outside --max-triangles 12 --size 3x4 "
-        "--crc --difference f.ppm");
+        "--cross-fade 10000 --crc --difference f.ppm");
     assert_true(o.goal_set && o.goal.triangles == 12 && !o.goal.fit && o.width == 3 && o.height == 4);
     assert_string_equal(o.clip, "b");
     assert_string_equal(o.model_options.up, "z");
     assert_string_equal(o.model_options.texture, "c");
     assert_string_equal(o.model_options.filter, "file");
     assert_true(o.model_options.two_sided && o.model_options.allow_outside);
+    assert_int_equal(o.model_options.cross_fade_ms, 10000);
     take("--model a --board b --max-triangles fit --crc");
     assert_true(o.goal.fit);
     take("--matrix --flatten kaist-4.7 --view-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1");
@@ -137,6 +138,8 @@ static void options_that_exclude_each_other_are_told(void **state)
         {"", "nothing to do: give --out, --check, --crc, --stats, --matrix, --point, --frustum or --window"},
         {"--demo a --model b --crc", "--demo and --model exclude each other"},
         {"--clip a --crc", "--clip: of which model?"},
+        {"--cross-fade 9 --crc", "--cross-fade: of which model?"},
+        {"--model a --cross-fade 0 --crc", "--cross-fade '0': must be a whole number, 1 .. 10000"},
         {"--max-triangles 9 --crc", "--max-triangles: of which model?"},
         {"--filter nearest --crc", "--filter: of which model?"},
         {"--up y --crc", "--up: of which model?"},
