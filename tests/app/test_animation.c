@@ -120,14 +120,21 @@ static void it_takes_the_bytes_that_it_says_and_does_without_none(void **state)
     (void)state;
     static uint64_t room[512];
     const struct animation_need need = animation_need(&scene);
-    const size_t bytes = animation_bytes(&need, &scene, MESHES, false);
-    struct demo_arena arena = {(uint8_t *)room, sizeof room, 0};
-    assert_non_null(animation_begin(&arena, &scene, meshes, MESHES));
-    assert_int_equal((arena.used + 7) / 8 * 8, bytes);
-    for (size_t size = 0; size < bytes; size += 8) {
-        struct demo_arena small = {(uint8_t *)room, size, 0};
-        assert_null(animation_begin(&small, &scene, meshes, MESHES));
+    struct animation several = scene;
+    size_t bytes[3];
+    for (uint32_t clips = 0; clips < 3; clips++) {
+        several.clip_count = clips;
+        bytes[clips] = animation_bytes(&need, &several, MESHES, false);
+        struct demo_arena arena = {(uint8_t *)room, sizeof room, 0};
+        assert_non_null(animation_begin(&arena, &several, meshes, MESHES));
+        assert_int_equal((arena.used + 7) / 8 * 8, bytes[clips]);
+        for (size_t size = 0; size < bytes[clips]; size += 8) {
+            struct demo_arena small = {(uint8_t *)room, size, 0};
+            assert_null(animation_begin(&small, &several, meshes, MESHES));
+        }
     }
+    assert_int_equal(bytes[1], bytes[0]);
+    assert_int_equal(bytes[2], bytes[0] + 2 * 40 + 2 * 4); /* a pose and the weights of the clip that fades in */
 }
 
 /* The rest of it is of integers: 2 poses of 40 bytes, 2 places and 5 matrices of 48, 2 weights, 4 x 6 bytes twice. */
