@@ -11,6 +11,8 @@ PROFILE ?= whole
 $(if $(filter whole small,$(PROFILE)),,$(error PROFILE=$(PROFILE): take whole or small))
 $(if $(strip $(B)),,$(error B= is empty: it names the build directory))
 BOARD_DIR ?=
+DEMO_DIR ?=
+PANEL_DIR ?=
 PINHOLE_VERSION := $(shell sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
 BUDGET_CORE_BYTES ?= 112640
 
@@ -90,6 +92,19 @@ $(if $(BOARD_DIR),$(if $(BOARDS_MORE),,$(error BOARD_DIR=$(BOARD_DIR): there is 
 BOARDS_REFUSED := $(if $(BOARDS_MORE),$(shell printf '%s\n' '$(BOARDS_MORE)' | tr ' ' '\n' | grep -v '^[a-z0-9-]*$$'))
 $(if $(BOARDS_REFUSED),$(error BOARD_DIR=$(BOARD_DIR): $(BOARDS_REFUSED): a board's name has a-z, 0-9 and - only))
 $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DIR=$(BOARD_DIR): $(b) is a board of Pinhole: take another name)))
+# Demos and panels from elsewhere: DEMO_DIR/NAME.c defines demo_NAME, PANEL_DIR/NAME.c panel_NAME. NAME.glass beside a panel is its
+# row of `glasses` in host-sim/controllers/sim_glass.c. $(1) is DEMO or PANEL, $(2) the header that lists Pinhole's own.
+more_refused = $(if $(shell echo '$(3)' | grep -x '[a-z][a-z0-9_]*'),$(if $(filter %($(3)),$(shell grep -o '[DP]([a-z0-9_]*)' $(2))),$(3) is one of Pinhole: take another name),$(3): a name has a-z, 0-9 and _ only)
+more = $(foreach n,$(patsubst $($(1)_DIR)/%.c,%,$(wildcard $($(1)_DIR)/*.c)),$(n)$(if $(call more_refused,$(1),$(2),$(n)),$(error $(1)_DIR=$($(1)_DIR): $(call more_refused,$(1),$(2),$(n)))))
+more_of = $(if $($(1)_DIR),$(or $(call more,$(1),$(2)),$(error $(1)_DIR=$($(1)_DIR): there is no NAME.c in it)))
+DEMOS_MORE := $(call more_of,DEMO,firmware/app/demos/demo_scene.h)
+PANELS_MORE := $(call more_of,PANEL,hal/panels.h)
+$(foreach p,$(PANELS_MORE),$(if $(wildcard $(PANEL_DIR)/$(p).glass),,$(error PANEL_DIR=$(PANEL_DIR): there is no $(p).glass, which is what the simulator knows of it)))
+more_list = $(if $(2),-D$(1)_MORE\(P\)=$(subst $() ,,$(2:%=P\(%\))))
+DEMOS_DEF := $(call more_list,DEMOS,$(DEMOS_MORE))
+PANELS_DEF := $(call more_list,PANELS,$(PANELS_MORE)) $(if $(PANELS_MORE),-DGLASSES_MORE)
+DEMOS_MORE_O = $(DEMOS_MORE:%=$(B)/demos_more/%.o)
+PANELS_MORE_O = $(PANELS_MORE:%=$(B)/panels_more/%.o)
 # host-sim has one room a program, and common/ and controllers/ for all; a program's main() is in its pinhole_*.c.
 MAINS := $(wildcard host-sim/*/pinhole_*.c)
 ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
@@ -103,7 +118,7 @@ PROGRAMS := $(patsubst %.c,$(B)/%,$(subst _,-,$(notdir $(if $(SPIDEV),$(MAINS),$
 objects = $(patsubst %,$(B)/%.o,$(basename $(1)))
 LIBS := $(B)/libpinhole-host.a $(B)/libpinhole-app.a $(B)/libpinhole-hal.a $(B)/libpinhole.a
 LIB := $(CORE) $(APP_SRC) $(HAL) $(BOARDS) $(HOST)
-OBJ = $(call objects,$(LIB)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
+OBJ = $(call objects,$(LIB)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o) $(DEMOS_MORE_O) $(PANELS_MORE_O)
 
 # Programs in tests/ are named after what runs them; what support/ and oracle/ hold they share. A folder of tests may have a
 # room for each room of what it tests.
@@ -131,7 +146,8 @@ $(B)/firmware/core/render/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,rend
 $(B)/firmware/core/effects/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,render kernels)
 $(KERNELS:%=$(B)/%)/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,kernels render)
 $(B)/firmware/app/%.o: INC = $(INC_APP)
-$(B)/hal/%.o: INC = -Ihal
+$(B)/demos_more/%.o: INC = $(INC_APP) -Ifirmware/app/demos
+$(B)/hal/%.o $(B)/panels_more/%.o: INC = -Ihal
 $(B)/hal/linux/$(GPIOD)/%.o: INC = -Ihal $(GPIOD_CFLAGS)
 $(B)/hal/kms/$(DRM)/%.o: INC = -Ihal $(DRM_CFLAGS)
 $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
@@ -204,6 +220,7 @@ $(B)/boards_all/boards_all.h: FORCE
 	@mkdir -p $(@D); new=$@.$$$$; \
 	{ printf 'extern const struct board %s;\n' $(BOARD_IDS); printf '#define BOARDS_ALL'; printf ' &%s,' $(BOARD_IDS); echo; } >$$new; \
 	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi # a name of its own: another make may write it, too
+	$(if $(PANELS_MORE),@cat $(PANELS_MORE:%='$(PANEL_DIR)/%.glass') >$(@D)/glasses_more.inc)
 
 ifneq ($(BOARDS_MORE),)
 $(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags
@@ -213,9 +230,27 @@ $(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags
 	$(Q)$(COMPILE) -c $< -o $@
 endif
 
+# What lists them is compiled again where the list is another one.
+MORE_O := $(B)/firmware/app/demos/list.o $(B)/hal/panel/panels.o $(B)/host-sim/controllers/sim_glass.o
+$(B)/more: FORCE
+	@$(call differs,$(DEMOS_DEF) $(PANELS_DEF))
+$(MORE_O): $(B)/more
+$(MORE_O) $(B)/boards_more/%.o $(if $(BOARD_HOME),$(B)/$(BOARD_HOME)/board.o): DEFS += $(DEMOS_DEF) $(PANELS_DEF)
+
+# $(1): demos or panels, $(2): demo or panel, $(3): the folder
+define rule_of_more
+$(B)/$(1)_more/%.o: $(3)/%.c $(B)/flags
+	@mkdir -p $$(@D)
+	@grep -qw '$(2)_$$*' '$$<' || { echo '$$<: defines no $(2)_$$*' >&2; exit 1; }
+	$$(SAY) CC $$<
+	$$(Q)$$(COMPILE) -c $$< -o $$@
+endef
+$(if $(DEMOS_MORE),$(eval $(call rule_of_more,demos,demo,$(DEMO_DIR))))
+$(if $(PANELS_MORE),$(eval $(call rule_of_more,panels,panel,$(PANEL_DIR))))
+
 $(B)/libpinhole.a: $(call objects,$(CORE))
-$(B)/libpinhole-hal.a: $(call objects,$(HAL) $(BOARDS)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
-$(B)/libpinhole-app.a: $(call objects,$(APP_SRC))
+$(B)/libpinhole-hal.a: $(call objects,$(HAL) $(BOARDS)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o) $(PANELS_MORE_O)
+$(B)/libpinhole-app.a: $(call objects,$(APP_SRC)) $(DEMOS_MORE_O)
 $(B)/libpinhole-host.a: $(call objects,$(HOST))
 $(LIBS): $(B)/files
 	$(SAY) AR $@
@@ -298,6 +333,6 @@ clean: ## removes build/
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
-	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m|rv32 PROFILE=whole|small B=build CHECKED=1 V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
+	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m|rv32 PROFILE=whole|small B=build CHECKED=1 V=1 PREFIX DESTDIR LIBDIR BOARD_DIR DEMO_DIR PANEL_DIR'
 
 -include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d) $(patsubst %.c,$(B)/%.d,$(wildcard host-sim/emulate/rp2350/*.c host-sim/emulate/rp2040/*.c))

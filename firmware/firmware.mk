@@ -2,6 +2,7 @@
 #
 #   make firmware BOARD=pico-display              build/firmware/pico-display-demos.elf .bin .uf2 .map; prints their sizes
 #   make firmware BOARD=lm3s6965evb APP=depth     another program: firmware/app/images/depth.c; or a file, APP=mine.c
+#   make firmware BOARD=pico-display DEMO_DIR=d   d/NAME.c as a demo of one's own, with which the image begins; PANEL_DIR=d: a panel
 #   make firmware BOARD=pico-display SCENE=my.glb a model, through pinhole-asset: build/firmware/pico-display-my.elf
 #                                                 SCENE_TRIANGLES=N|all|fit, SCENE_TEXTURE=N, SCENE_FLAGS=--turntable
 #   make size BOARD=pico-display                  the image's size by module
@@ -104,7 +105,7 @@ BOARD_SYMBOL := board_$(subst -,_,$(BOARD))
 # FORCE, because BOARD and BOARD_DIR may be others than last time.
 $(B)/board-facts: FORCE
 	@mkdir -p $(@D)
-	$(Q)$(HOSTCC) $(INC) -DBOARD_HERE=$(BOARD_SYMBOL) -o $@ firmware/tools/board_facts.c '$(BOARD_HOME)/board.c' $(wildcard hal/panel/panels_*.c)
+	$(Q)$(HOSTCC) $(INC) $(PANELS_DEF) -DBOARD_HERE=$(BOARD_SYMBOL) -o $@ firmware/tools/board_facts.c '$(BOARD_HOME)/board.c' $(wildcard hal/panel/panels_*.c) $(PANELS_MORE:%='$(PANEL_DIR)/%.c')
 $(B)/board-facts: INC = -Ihal -Iboards
 
 # A make of its own builds the image, with the target's compiler in place of the computer's.
@@ -146,7 +147,7 @@ speed: ## BOARD=x of an RP2040 or RP2350: frames/s and load of each core for eve
 # ---- in the make that builds the image -----------------------------------------------------------------------------------------------
 ifneq ($(OUT),)
 IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/panel/*.c) $(PORT_SRC) $(PORT_INFO) $(BOARD_HOME)/board.c
-IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
+IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(DEMOS_MORE_O) $(PANELS_MORE_O) $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
 LD_SEARCH := -L hal/$(PORT) -L hal/chips/cortexm -L $(B)/$(RAM_CODE)
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
@@ -168,7 +169,7 @@ $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 	$(SAY) CC $<
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -MMD -MP -c $< -o $@
 
-BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,$(or $(FIRST_DEMO),turntable)) \
+BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,$(or $(FIRST_DEMO),$(firstword $(DEMOS_MORE)),turntable)) \
              -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0) -DAHEAD_BYTES=$(or $(PORT_AHEAD_BYTES),0) \
              -DCLIP_FPS=$(or $(CLIP_FPS),DEMO_CLIPS_BY_CLOCK) \
              $(if $(or $(SCENE_C),$(if $(PORT_SCENE),,none)),-DSCENE_AT=0 -DSCENE_BYTES=0,-DSCENE_AT=$(UF2_BASE)+$(PORT_SCENE) -DSCENE_BYTES=$(CHIP_FLASH_BYTES)-$(PORT_SCENE))

@@ -74,15 +74,48 @@ installs_and_uninstalls() {
         [ -z "$(find "$dir/stage" -type f)" ]
 }
 
-boards_come_from_elsewhere() {
+# Prints the C block (or the text block) of a paper that holds these words, without its indent.
+block() { # c or text, paper, words
+    awk -v kind="$1" -v words="$3" '$1 == "```" kind { n = index($0, "`"); inside = 1; text = ""; next }
+        inside && $1 == "```" { inside = 0; if (index(text, words)) printf "%s", text }
+        inside { text = text substr($0, n) "\n" }' "$2"
+}
+
+boards_demos_and_panels_come_from_elsewhere() { # those of the papers
     rm -rf "${B:?}/make-boards" # a folder that was used before names boards that are gone
-    mkdir -p "$dir/kits/my-kit" "$dir/empty"
-    sed 's/"rpi-pirate-audio"/"my-kit"/; s/board_rpi_pirate_audio/board_my_kit/' boards/rpi-pirate-audio/board.c >"$dir/kits/my-kit/board.c"
+    mkdir -p "$dir/kits/my-kit" "$dir/empty" "$dir/demos" "$dir/panels"
+    block c boards/README.md board_mine | sed 's/"mine"/"my-kit"/; s/board_mine/board_my_kit/; s/st7789_240x240/mine_240x160/' >"$dir/kits/my-kit/board.c"
+    block c firmware/README.md demo_mine >"$dir/demos/mine.c"
+    block c hal/README.md panel_mine >"$dir/panels/mine_240x160.c"
+    block text hal/README.md mine-240x160 >"$dir/panels/mine_240x160.glass"
     make -s -j2 B="$B/make-boards" ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb CFLAGS=-O0 \
-        BOARD_DIR="$dir/kits" "$B/make-boards/pinhole-sim" || return 1
+        BOARD_DIR="$dir/kits" DEMO_DIR="$dir/demos" PANEL_DIR="$dir/panels" "$B/make-boards/pinhole-sim" || return 1
     "$B/make-boards/pinhole-sim" --list | grep '^board  my-kit ' &&
-        "$B/make-boards/pinhole-sim" --board my-kit --demo testcard --crc | grep 'frame 0' || return 1
-    ! make -s B="$B/make-boards" BOARD_DIR="$dir/empty" all
+        "$B/make-boards/pinhole-sim" --board my-kit --demo testcard --crc >"$dir/card" &&
+        "$B/make-boards/pinhole-sim" --size 240x160 --demo testcard --crc | cmp - "$dir/card" || return 1
+    # The triangle of the demo: red, as high as its size and the distance say: 2 * 80 / tan(30 degrees) / 5 lines.
+    "$B/make-boards/pinhole-sim" --board my-kit --demo mine --out "$dir/mine.ppm" || return 1
+    tail -c $((240 * 160 * 3)) "$dir/mine.ppm" | od -An -v -tu1 -w720 | awk '{ red = 0; for (x = 1; x < 720; x += 3) red += $x > 200 && $(x + 1) < 60; lines += red > 0 } END { print lines; exit !(lines > 53 && lines < 57) }' || return 1
+    ! make -s B="$B/make-boards" BOARD_DIR="$dir/empty" all || return 1
+    # Another make, without them, has none: what lists them is compiled again, and little else.
+    make -s -j2 B="$B/make-boards" ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb CFLAGS=-O0 \
+        BOARD_DIR="$dir/kits" PANEL_DIR="$dir/panels" "$B/make-boards/pinhole-sim" && ! "$B/make-boards/pinhole-sim" --list | grep '^demo   mine '
+}
+
+# A folder that holds a file of this name, and what make says about it in one line.
+is_refused() { # DEMO or PANEL, file, words
+    local more=$dir/more-$1-$2
+    mkdir -p "$more" && echo 'int x;' >"$more/$2" && touch "$more/${2%.c}.glass"
+    make -s B="$B/make-boards" "$1_DIR=$more" "$B/make-boards/demos_more/mine.o" "$B/make-boards/panels_more/mine.o" >"$dir/refused" 2>&1 && return 1
+    cat "$dir/refused" && grep -qF "$3" "$dir/refused" && [ "$(grep -vc '^make: ' "$dir/refused")" = 1 ]
+}
+
+demos_and_panels_that_cannot_be_are_refused() {
+    local panel=$dir/more-PANEL-bare
+    is_refused DEMO mine.c 'defines no demo_mine' && is_refused DEMO torus.c 'torus is one of Pinhole: take another name' &&
+        is_refused DEMO my-demo.c 'a name has a-z, 0-9 and _ only' && is_refused DEMO readme 'there is no NAME.c in it' &&
+        is_refused PANEL mine.c 'defines no panel_mine' && is_refused PANEL sh1106_128x64.c 'is one of Pinhole: take another name' &&
+        mkdir -p "$panel" && touch "$panel/mine.c" && ! make -s B="$B/make-boards" PANEL_DIR="$panel" all 2>"$dir/refused" && grep -q 'there is no mine.glass' "$dir/refused"
 }
 
 # A folder that holds one board of this name, with a board.c that defines another.
@@ -121,8 +154,9 @@ check "an_empty_build_directory_is_refused" empty_build_directory_is_refused
 check "a_file_of_the_CPU_replaces_the_portable_one" a_file_of_the_cpu_replaces_the_portable_one
 check "the_core_cannot_include_the_hal" the_core_cannot_include_the_hal
 check "what_is_installed_runs_and_uninstalls" installs_and_uninstalls
-check "boards_come_from_an_external_folder" boards_come_from_elsewhere
+check "boards_demos_and_panels_come_from_external_folders" boards_demos_and_panels_come_from_elsewhere
 check "a folder without boards, odd names, names that are taken and wrong definitions are refused" boards_that_cannot_be_are_refused
+check "demos_and_panels_that_cannot_be_are_refused" demos_and_panels_that_cannot_be_are_refused
 check "without_the_libraries_none_is_linked" needs_no_library
 if command -v arm-none-eabi-gcc >/dev/null; then
     check "size_fails_over_the_budget" size_fails_over_the_budget

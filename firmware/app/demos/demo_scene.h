@@ -5,12 +5,16 @@
 #include "demo.h"
 #include "overlay.h"
 
+#ifndef DEMOS_MORE /* those of make's DEMO_DIR */
+#define DEMOS_MORE(D)
+#endif
+
 /* The demos, in the order of the select button. */
 /* clang-format off */
 #define DEMOS_EACH(D) \
     D(turntable) D(testcard) D(torus) D(cube) D(fill) D(icosphere) D(ground) D(wireframe) D(solar) D(snake) \
     D(ball) D(hitchcock) D(parallel) D(shadow) D(fisheye) D(focus) D(conventions) D(zfight) D(zoom) D(pinhole) \
-    D(materials) D(character) D(yard)
+    D(materials) D(character) D(yard) DEMOS_MORE(D)
 /* clang-format on */
 
 #define DEMOS_DECLARE(name) extern const struct demo demo_##name;
