@@ -10,6 +10,7 @@
 
 #include "panel.h"
 
+/* A pin of a board, by its number or by the name of its line. */
 struct board_pin {
     bool wired;
     bool active_low;
@@ -18,19 +19,22 @@ struct board_pin {
 };
 
 /* clang-format off */
+/* A struct board_pin: GPIO n of a chip, a line of Linux by its name; _LOW: active low. */
 #define BOARD_PIN(n)      { true, false, (n), NULL }
 #define BOARD_PIN_LOW(n)  { true, true, (n), NULL } /* active low */
 #define BOARD_LINE(s)     { true, false, 0, (s) }
 #define BOARD_LINE_LOW(s) { true, true, 0, (s) }
 /* clang-format on */
+/* The number of pin n of a port: BOARD_PORT('B', 5) is PB5 of an STM32. */
 #define BOARD_PORT(port, n) ((uint16_t)(((port) - 'A') * 32 + (n)))
 
+/* A button and the pin that it is on. */
 struct board_button {
     uint8_t button; /* enum hal_button */
     struct board_pin pin;
 };
 
-#define BOARD_BUTTONS_MAX 6
+#define BOARD_BUTTONS_MAX 6 /* of one board */
 
 /* What makes the bus clock, see chips/spi_clock.h. ANY: unknown, or every clock that is asked for. */
 enum board_spi_unit { BOARD_SPI_ANY, BOARD_SPI_RP2, BOARD_SPI_LM3S6965, BOARD_SPI_STM32F4 };
@@ -50,6 +54,7 @@ struct board_pins {
     struct board_pin clock, data, data_in, select, dc, reset, backlight, tearing;
 };
 
+/* A kit as data: display, wires, memory. */
 struct board {
     const char *name;   /* what --board takes */
     const char *title;  /* one line for people */
@@ -81,6 +86,7 @@ struct board {
                               0: all that the chip has */
 };
 
+/* The boards, by name. */
 extern const struct board *const board_list[];
 extern const uint32_t board_count;
 

@@ -15,6 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* Errors of operations, with the numbers of errno on Linux. */
 enum hal_status {
     HAL_OK = 0,
     HAL_EIO = -5,
@@ -42,7 +43,9 @@ enum hal_status {
 
 struct board;
 
+/* The D/C line: low for a command, high for data. */
 enum hal_dc { HAL_COMMAND, HAL_DATA };
+/* Pins that pin_set() drives. */
 enum hal_pin { HAL_PIN_RESET, HAL_PIN_BACKLIGHT };
 
 /* Buttons, as bits of what buttons() below returns. */
@@ -56,6 +59,7 @@ enum hal_button {
 
 #define HAL_COPIED 8 /* bytes that bus_write copies, see bus_queue */
 
+/* The operations of a kit. */
 struct hal_ops {
     const char *name;
 

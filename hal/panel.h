@@ -29,6 +29,7 @@
 
 #include "hal.h"
 
+/* What a pixel is on the wire: see above. */
 enum panel_format {
     PANEL_RGB565,
     PANEL_RGB666,
@@ -38,9 +39,10 @@ enum panel_format {
     PANEL_MONO_THRESHOLD, /* one bit a pixel: what is brighter than half is lit */
     PANEL_FORMATS
 };
+/* By how much the picture is turned. */
 enum panel_rotation { PANEL_R0, PANEL_R90, PANEL_R180, PANEL_R270 }; /* degrees / 90 */
 
-#define PANEL_FORMAT_BIT(format) (1U << (format))
+#define PANEL_FORMAT_BIT(format) (1U << (format)) /* for `formats` of struct panel */
 
 /* A controller's command set, with the names and numbers of its datasheet. */
 struct panel_controller {
@@ -99,6 +101,7 @@ struct panel {
     uint16_t init_bytes;
 };
 
+/* The panels of panels.h. */
 extern const struct panel *const panel_list[];
 extern const uint32_t panel_count;
 
@@ -146,6 +149,7 @@ bool panel_mono(unsigned format, uint8_t high, uint8_t low, uint32_t x, uint32_t
 
 #define PANEL_SCRATCH_MIN 256 /* bytes; more makes fewer, longer writes. One bit: also 2 * the picture's width */
 
+/* What panel_open() is told. */
 struct panel_config {
     const struct panel *panel;
     uint8_t rotation;  /* enum panel_rotation */
@@ -188,6 +192,7 @@ int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel
 /* Sets another full speed of at most hz between two frames; d->clock_hz is the real one. 0, or the backend's error. */
 int panel_clock(struct panel_driver *d, uint32_t hz);
 
+/* Begins a frame: see above. 0, or the backend's error. */
 int panel_frame_begin(struct panel_driver *d);
 
 /*
@@ -248,11 +253,13 @@ struct panel_sender_ops {
     void (*forget)(void *context);
 };
 
+/* How frames are sent, and its state. */
 struct panel_sender {
     const struct panel_sender_ops *ops;
     void *context;
 };
 
+/* Sends each frame whole. */
 extern const struct panel_sender panel_sender_whole;
 
 #endif

@@ -78,6 +78,7 @@ int panel_diff_begin(struct panel_diff *diff, struct panel_driver *d);
 /* Sends what changed in a band. The pixels are the caller's again when it returns. */
 int panel_diff_rows(struct panel_diff *diff, struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
 
+/* Ends a frame, as panel_frame_end() does. */
 int panel_diff_end(struct panel_diff *diff, struct panel_driver *d);
 
 /* A panel_sender that sends by panel_diff_begin, panel_diff_rows and panel_diff_end. */

@@ -24,7 +24,7 @@
 
 #include "panel.h"
 
-#define PANEL_TILE_PX 16
+#define PANEL_TILE_PX 16 /* columns of a tile */
 
 /* State. Read-only for the caller. */
 struct panel_tiles {
@@ -70,6 +70,7 @@ int panel_tiles_begin(struct panel_tiles *t, struct panel_driver *d);
  */
 int panel_tiles_rows(struct panel_tiles *t, struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
 
+/* Ends a frame, as panel_frame_end() does. */
 int panel_tiles_end(struct panel_tiles *t, struct panel_driver *d);
 
 /* A panel_sender that sends by panel_tiles_begin, panel_tiles_rows and panel_tiles_end. */

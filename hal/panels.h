@@ -6,7 +6,8 @@
 
 extern const struct panel_controller panel_st7789; /* for panels that a caller makes up */
 
-#ifndef PANELS_MORE /* those of make's PANEL_DIR */
+/* Panels of make's PANEL_DIR. */
+#ifndef PANELS_MORE
 #define PANELS_MORE(P)
 #endif
 
@@ -19,6 +20,7 @@ extern const struct panel_controller panel_st7789; /* for panels that a caller m
     P(sh1106_128x64) PANELS_MORE(P)
 /* clang-format on */
 
+/* Declares each of them. */
 #define PANELS_DECLARE(name) extern const struct panel panel_##name;
 PANELS_EACH(PANELS_DECLARE)
 

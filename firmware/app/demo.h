@@ -68,6 +68,7 @@ struct demo_level {
     uint16_t enough_px;                /* up to this smaller side of the picture it is taken though a finer one fits */
 };
 
+/* A scene that runs on every kit. */
 struct demo {
     const char *name;
     const char *summary;      /* one line for --list */
@@ -119,9 +120,11 @@ bool demo_has_view(const struct demo *demo, const char *view);
 #define DEMO_DOLLY_MAX FX_HALF
 void demo_input(struct demo_context *context, uint32_t buttons);
 
+/* The demos, in the order of the select button. */
 extern const struct demo *const demo_list[];
 extern const uint32_t demo_count;
 
+/* Finds a demo by its name. NULL: there is none. */
 const struct demo *demo_find(const char *name);
 
 /* The build of an image defines its first demo: demo_turntable, or the demo_scene that pinhole-asset wrote. */
@@ -164,6 +167,7 @@ struct demo_eye {
     struct ph_projection lens;
 };
 
+/* Shows meshes before an eye. demo_still_init: 0 or PH_ERR_NOMEM; demo_still_frame is a demo's frame(). */
 #define DEMO_STILL_BYTES 512
 int demo_still_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
                     const struct demo_eye *eye);

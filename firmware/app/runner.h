@@ -84,6 +84,7 @@ uint32_t runner_crc(struct runner *runner);
  * sent), or HAL_E.. */
 int runner_finish(struct runner *runner);
 
+/* Switches display and backlight off. 0, or HAL_E... */
 int runner_close(struct runner *runner);
 
 #endif

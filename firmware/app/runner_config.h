@@ -6,6 +6,7 @@
 #include "demo.h"
 #include "panel.h"
 
+/* What runner_open() is told. */
 struct runner_config {
     const struct board *board;
     uint8_t rotation;                           /* enum panel_rotation */

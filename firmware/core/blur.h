@@ -31,12 +31,13 @@
 extern "C" {
 #endif
 
-#define PH_BLUR_RADIUS_MAX 7
+#define PH_BLUR_RADIUS_MAX 7 /* px */
 
 /* Scratch memory: three bytes for each pixel of two bands and 2 radius lines. */
 #define PH_BLUR_LINES(band_height, radius)        (2 * (size_t)(band_height) + 2 * (size_t)(radius))
 #define PH_BLUR_BYTES(width, band_height, radius) (3 * (size_t)(width)*PH_BLUR_LINES(band_height, radius))
 
+/* A lens with depth of field. */
 struct ph_focus {
     fx_t distance;  /* focal distance along the view, > 0 */
     fx_t strength;  /* px, 0 .. 64: see the head of this file */

@@ -28,12 +28,15 @@
 extern "C" {
 #endif
 
+/* The conventions of clip space above. */
 enum ph_convention { PH_GL, PH_D3D, PH_LMU, PH_REVERSED };
 
+/* A matrix of 4 x 4 numbers, rows first. */
 struct ph_mat4 {
     fx_t m[4][4];
 };
 
+/* A point in clip space. */
 struct ph_vec4 {
     fx_t x, y, z, w;
 };

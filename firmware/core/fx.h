@@ -21,8 +21,10 @@
 extern "C" {
 #endif
 
+/* A number in Q16.16. */
 typedef int32_t fx_t;
 
+/* Constants in Q16.16. */
 #define FX_ONE     ((fx_t)65536)
 #define FX_HALF    ((fx_t)32768)
 #define FX_MAX     INT32_MAX

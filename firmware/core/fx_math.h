@@ -64,23 +64,26 @@ int32_t fx_cot_half_q20(fx_t deg);
 
 /* ---- whole numbers, remainders, limits ------------------------------------------------------------------------- */
 
-/* The next whole number at or below a, at or above a, and the nearest one (a tie goes up); FX_MAX where it is 32768. */
+/* The next whole number at or below a. */
 static inline fx_t fx_floor(fx_t a)
 {
     return (fx_t)((uint32_t)a & 0xffff0000u);
 }
 
+/* The next whole number at or above a, and the nearest one (a tie goes up); FX_MAX where it is 32768. */
 fx_t fx_ceil_sat(fx_t a);
 fx_t fx_round_sat(fx_t a);
 
 /* a - b trunc(a / b), exactly: its sign is that of a, and |result| < |b|. 0 for b = 0. Cost: 108, 13. */
 fx_t fx_fmod(fx_t a, fx_t b);
 
+/* The smaller of two numbers. */
 static inline fx_t fx_min(fx_t a, fx_t b)
 {
     return a < b ? a : b;
 }
 
+/* The larger of two numbers. */
 static inline fx_t fx_max(fx_t a, fx_t b)
 {
     return a > b ? a : b;
@@ -100,12 +103,13 @@ static inline fx_t fx_clamp(fx_t a, fx_t low, fx_t high)
  */
 int32_t fx_convert_sat(int32_t a, int from_bits, int to_bits);
 
-/* Q2.30 to Q16.16, rounded to nearest, and Q16.16 to Q2.30, which saturates. */
+/* Q2.30 to Q16.16, rounded to nearest. */
 static inline fx_t fx_from_q30(int32_t a)
 {
     return (a >> 14) + (a >> 13 & 1);
 }
 
+/* Q16.16 to Q2.30. */
 static inline int32_t fx_to_q30_sat(fx_t a)
 {
     return fx_sat64((int64_t)a * (1 << 14));

@@ -23,16 +23,19 @@
 extern "C" {
 #endif
 
+/* A vector or a position, in Q16.16 where its function does not say otherwise. */
 struct fx_vec3 {
     fx_t x, y, z;
 };
 
+/* Sum, difference, product with a number, a + (b - a) t, cross product. */
 struct fx_vec3 fx_vec3_add_sat(struct fx_vec3 a, struct fx_vec3 b);
 struct fx_vec3 fx_vec3_sub_sat(struct fx_vec3 a, struct fx_vec3 b);
 struct fx_vec3 fx_vec3_scale_sat(struct fx_vec3 a, fx_t s);
 struct fx_vec3 fx_vec3_lerp_sat(struct fx_vec3 a, struct fx_vec3 b, fx_t t);
 struct fx_vec3 fx_vec3_cross_sat(struct fx_vec3 a, struct fx_vec3 b);
 
+/* Dot product. */
 fx_t fx_vec3_dot_sat(struct fx_vec3 a, struct fx_vec3 b);
 
 /* Length, error <= 0.5 LSB. */
@@ -49,6 +52,7 @@ struct fx_quat {
     int32_t w, x, y, z;
 };
 
+/* The rotation by no angle. */
 extern const struct fx_quat fx_quat_identity;
 
 /*
@@ -72,8 +76,10 @@ struct ph_xform {
     struct fx_vec3 t;
 };
 
+/* The transform that changes nothing. */
 extern const struct ph_xform ph_xform_identity;
 
+/* A rotation about an axis (as fx_quat_axis), a translation, a scale, a rotation with a translation after it. */
 struct ph_xform ph_xform_rotate_x(uint32_t turn32);
 struct ph_xform ph_xform_rotate_y(uint32_t turn32);
 struct ph_xform ph_xform_rotate_z(uint32_t turn32);
@@ -87,6 +93,7 @@ struct ph_xform ph_xform_mul(const struct ph_xform *a, const struct ph_xform *b)
 /* Inverse of a rigid transform, whose r is orthonormal: r^T, -r^T t. */
 struct ph_xform ph_xform_inverse_rigid(const struct ph_xform *a);
 
+/* r p + t; saturates. */
 struct fx_vec3 ph_xform_point(const struct ph_xform *a, struct fx_vec3 p);
 
 /* Rotates a direction in Q2.30; the translation has no effect on it. */

@@ -44,11 +44,13 @@ struct ph_pose {
     struct fx_vec3 t, s; /* Q8.24 */
 };
 
+/* A node of a rig. */
 struct ph_rig_node {
     int16_t parent; /* a node before it, or -1 */
     struct ph_pose rest;
 };
 
+/* A tree of nodes. */
 struct ph_rig {
     const struct ph_rig_node *nodes;
     uint32_t node_count;
@@ -56,8 +58,10 @@ struct ph_rig {
 
 /* ---- clips ------------------------------------------------------------------------------------------------------ */
 
+/* What a track moves. */
 enum ph_path { PH_PATH_TRANSLATION, PH_PATH_ROTATION, PH_PATH_SCALE, PH_PATH_WEIGHTS };
 
+/* How a value follows from the keys around it. */
 enum ph_interpolation {
     PH_KEYS_STEP,
     PH_KEYS_LINEAR, /* rotations: slerp along the shorter arc */
@@ -79,6 +83,7 @@ struct ph_track {
     const int16_t *keys;
 };
 
+/* A clip: tracks that move nodes. */
 struct ph_clip {
     const char *name;
     const struct ph_track *tracks;
@@ -97,6 +102,7 @@ void ph_clip_sample(const struct ph_clip *clip, fx_t time, struct ph_pose *pose,
 
 /* ---- poses ------------------------------------------------------------------------------------------------------ */
 
+/* The rest pose: where each node is that no clip moves. */
 void ph_rig_rest(const struct ph_rig *rig, struct ph_pose *pose);
 
 /* Takes the pose a by `share` (0 .. FX_ONE) of the way to b: lerp, and slerp of rotations. */
@@ -111,6 +117,7 @@ void ph_rig_places(const struct ph_rig *rig, const struct ph_pose *pose, const s
 
 /* ---- skins ------------------------------------------------------------------------------------------------------ */
 
+/* The joints of a skin. */
 struct ph_skin {
     const uint16_t *nodes;               /* of each joint */
     const struct ph_xform *inverse_bind; /* t in Q8.24; NULL: identity */
@@ -128,8 +135,9 @@ struct ph_influence {
     uint16_t weights[4];
 };
 
-#define PH_INFLUENCE_ONE 32768
+#define PH_INFLUENCE_ONE 32768 /* weights of a vertex add up to it */
 
+/* Vertices that are bound to the joints of a skin. */
 struct ph_bound {
     const int16_t (*positions)[3];
     const int16_t (*normals)[3];           /* Q1.14, or NULL */

@@ -30,6 +30,7 @@ struct ph_overlay_band {
     int32_t y0, lines;
 };
 
+/* How text looks. */
 struct ph_overlay_style {
     uint16_t colour, outline; /* wire order */
     uint8_t scale;            /* px for each pixel of the font, 1 .. 8 */
@@ -45,7 +46,7 @@ void ph_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, c
 /* Width of a text in pixels. */
 int32_t ph_overlay_width(const char *text, uint8_t scale);
 
-#define PH_OVERLAY_STATS_SIZE 32
+#define PH_OVERLAY_STATS_SIZE 32 /* bytes, with the NUL */
 
 /* Writes "16.7 MS 1152 TRI": milliseconds, rounded to a tenth, and triangles. Returns the length. */
 uint32_t ph_overlay_stats(char text[PH_OVERLAY_STATS_SIZE], uint32_t frame_us, uint32_t triangles);
@@ -59,7 +60,7 @@ void ph_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const cha
              const struct ph_overlay_style *style);
 int32_t ph_text_width(const char *text, uint8_t scale);
 
-#define PH_TEXT_NUMBER_SIZE 12
+#define PH_TEXT_NUMBER_SIZE 12 /* bytes, with the NUL */
 
 /* Writes a number in decimal. Returns the length. */
 uint32_t ph_text_number(char text[PH_TEXT_NUMBER_SIZE], int32_t value);

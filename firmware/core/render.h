@@ -69,7 +69,7 @@ extern const struct ph_filter ph_filter_bilinear, ph_filter_mipmap;
  * tile of up to 64 x 16 pixels of a larger one. */
 #define PH_FILTER_MIPMAP (&ph_filter_mipmap)
 
-#define PH_TEXTURE_LOG2_MAX 10
+#define PH_TEXTURE_LOG2_MAX 10 /* textures have up to 1024 x 1024 texels */
 
 /* A texture whose sides are powers of two: RGB565 in wire order, rows from the top. v = 0 is at the top row. Each level
  * has half the width and half the height of the one before, at least 1, and lies behind it in memory. */
@@ -87,6 +87,7 @@ struct ph_renderer;
 struct ph_band;
 struct ph_blending;
 
+/* How a blend mixes what it draws with what is behind. */
 enum ph_blend_kind {
     PH_BLEND_KEY,   /* cut-out: texels of the colour `key` are left out */
     PH_BLEND_MASK,  /* cut-out: texels are left out where `alphas` is below one half */
@@ -123,6 +124,7 @@ struct ph_blend {
                                         have alpha 1 */
 };
 
+/* For struct ph_blend: what blends in a colour, and by the alphas of a texture. */
 extern const struct ph_blending ph_blending, ph_blending_alphas;
 #define ph_draw_blended (&ph_blending)
 /* Also by alphas over a material without a texture, for which it links what draws textures. */
@@ -133,6 +135,7 @@ extern const struct ph_blending ph_blending, ph_blending_alphas;
 #define PH_DECAL_BIAS  16
 #define PH_DECAL_SLOPE 2
 
+/* What a surface looks like. */
 struct ph_material {
     const struct ph_shading *shading; /* PH_SHADE_... */
     uint8_t two_sided;                /* draw back faces too */
@@ -232,10 +235,12 @@ struct ph_points {
 struct ph_light_kind;
 extern const struct ph_light_kind ph_light_point, ph_light_spot;
 
+/* Far away, at a point, at a point with a cone. */
 #define PH_LIGHT_DIRECTIONAL ((const struct ph_light_kind *)NULL)
 #define PH_LIGHT_POINT       (&ph_light_point)
 #define PH_LIGHT_SPOT        (&ph_light_spot)
 
+/* A light. */
 struct ph_light {
     const struct ph_light_kind *kind; /* PH_LIGHT_... */
     fx_t intensity;                   /* 0 .. 4 */
@@ -256,9 +261,10 @@ struct ph_light {
 #ifdef PH_PROFILE_SMALL
 #define PH_LIGHTS_MAX 1
 #else
-#define PH_LIGHTS_MAX 4
+#define PH_LIGHTS_MAX 4 /* of one scene; 1 in the small profile */
 #endif
 
+/* All lights of a scene. */
 struct ph_scene_light {
     fx_t ambient; /* 0 .. 1 */
     uint32_t count;
@@ -286,6 +292,7 @@ struct ph_depth_format {
     const struct ph_depth_ways *ways;                                                /* private to the renderer */
 };
 
+/* Names of formats; AUTO: the renderer chooses one by the camera of each frame. */
 extern const struct ph_depth_format ph_depth_auto;
 #define PH_DEPTH_AUTO     (&ph_depth_auto)
 #define PH_DEPTH_FIXED16  (&ph_depth_fixed16)
@@ -313,6 +320,7 @@ extern const struct ph_depth_format ph_depth_auto;
     ROW(linear_w,   "linear-w", LINEAR, 16,  0,      false)
 /* clang-format on */
 
+/* Declares each of them. */
 #define PH_DEPTH_DECLARED(id, name, coding, bits, octaves, small) extern const struct ph_depth_format ph_depth_##id;
 PH_DEPTH_EACH(PH_DEPTH_DECLARED)
 
@@ -340,6 +348,7 @@ const struct ph_depth_format *ph_depth_choose(const struct ph_projection *projec
 #define PH_DEPTH_EXPONENT4_RATIO 16384
 unsigned ph_depth_choose_exponent(const struct ph_projection *projection);
 
+/* Counts of a frame. */
 struct ph_stats {
     uint32_t vertices;          /* transformed */
     uint32_t triangles_in;      /* of all meshes drawn */
@@ -390,7 +399,8 @@ struct ph_vertex;   /* a transformed vertex, see vertex.h */
 struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 
 /* Sizes for budgets: ph_vertex_bytes for each vertex, ph_triangle_bytes for each triangle. */
-extern const size_t ph_vertex_bytes, ph_triangle_bytes;
+extern const size_t ph_vertex_bytes;
+extern const size_t ph_triangle_bytes;
 /* ph_vertex_bytes and ph_triangle_bytes where pointers have 32 bits, for budgets that are equal on every machine. */
 #ifdef PH_PROFILE_SMALL
 #define PH_VERTEX_BYTES_32 10
@@ -407,6 +417,7 @@ extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 #define PH_SLOT_BYTES_32   144
 #define PH_OWN_BYTES       960 /* of the renderer's own, for scenes of few triangles */
 
+/* What ph_renderer_init() is told: size of the picture, memory, options. */
 struct ph_config {
     uint16_t width, height; /* 1 .. 1024 */
     uint16_t band_height;   /* 1 .. height */
@@ -518,6 +529,7 @@ struct ph_lens {
 struct ph_ref;
 #define PH_LIST_COPIES 4 /* materials that draws by turns share: an equal one is looked for among so many */
 
+/* The display list of a frame. */
 struct ph_list {
     struct ph_ref *top, *to, *end;   /* references go down from top; the last one is at `to`; there is room until end */
     uint32_t used[3];                /* bytes taken from own, vertices, triangles */

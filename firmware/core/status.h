@@ -14,6 +14,7 @@
 extern "C" {
 #endif
 
+/* What functions return: 0 or more is success. */
 enum ph_status {
     PH_OK = 0,
     PH_ERR_NOMEM = -12,  /* a caller's buffer is too small */

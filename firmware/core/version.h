@@ -6,6 +6,7 @@
 #ifndef PH_VERSION_H
 #define PH_VERSION_H
 
+/* MAJOR.MINOR.PATCH */
 #define PH_VERSION "0.9.0"
 
 #endif

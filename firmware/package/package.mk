@@ -4,6 +4,7 @@
 #   make install-dev                        the library alone, and its sources for CMake projects of another CPU
 #   make dist                               build/dist/: a tarball of git's HEAD, and the library for Arduino and ESP-IDF
 #   make examples                           firmware/package/examples: the pictures, their README and CRCs
+#   make docs                             build/docs/html/: headers, papers, examples and a tutorial as a site, by Doxygen
 #   make deb                                build/deb/: Debian packages, through debian/
 PREFIX ?= /usr/local
 LIBDIR ?= lib
@@ -22,7 +23,7 @@ CORE_ROOMS := $(patsubst firmware/core/%/,%,$(filter-out %/kernels/,$(wildcard f
 FILL = sed -e 's|@PREFIX@|$(PREFIX)|g; s|@LIBDIR@|$(LIBDIR)|g; s|@VERSION@|$(PINHOLE_VERSION)|g'
 INSTALL = install -m 644
 
-.PHONY: install install-programs install-dev uninstall dist deb examples
+.PHONY: install install-programs install-dev uninstall dist deb docs examples
 
 install: install-programs install-dev ## programs, man pages, library and headers, below PREFIX=/usr/local; pkg-config and CMake find it
 
@@ -57,6 +58,9 @@ dist: ## a tarball of git's HEAD, an Arduino and PlatformIO library, an ESP-IDF 
 
 deb: ## Debian packages pinhole and libpinhole-dev of git's HEAD, checked by lintian: build/deb/
 	$(Q)B='$(B)' VERSION='$(PINHOLE_VERSION)' $(HERE)/deb.sh
+
+docs: ## the public headers, papers, examples and a tutorial as a site: build/docs/html (Doxygen)
+	$(Q)B='$(B)' VERSION='$(PINHOLE_VERSION)' $(HERE)/docs/docs.sh
 
 examples: all ## builds and runs the examples; writes their pictures, README and CRCs again
 	$(Q)B='$(B)' CC='$(CC)' $(HERE)/examples.sh

@@ -12,16 +12,6 @@ struct display {
     uint32_t left;
 };
 
-static int flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t height, const void *pixels)
-{
-    const struct display *const d = context;
-    int status = 0;
-    for (uint32_t line = 0; line < height && status == 0; line++) {
-        status = example_flush(NULL, d->left + x, y + line, width, 1, (const uint16_t *)pixels + line * width);
-    }
-    return status;
-}
-
 static int open_display(struct display *d, uint32_t left)
 {
     struct ph_config config = {.width = HALF,
@@ -42,7 +32,7 @@ static int draw(struct display *d, struct fx_vec3 eye, const struct ph_mesh *mes
     int status = ph_projection_perspective(&lens, FX_INT(60), FX_ONE * HALF / HEIGHT, FX_HALF, FX_INT(20));
     status = status != 0 ? status : ph_frame_begin(&d->r, &view, &lens, &shapes_daylight, background);
     status = status != 0 ? status : ph_draw_mesh(&d->r, mesh, &ph_xform_identity);
-    return status != 0 ? status : ph_show(&d->r, flush, d);
+    return status != 0 ? status : ph_show(&d->r, example_flush, &d->left);
 }
 
 int main(int argc, char *argv[])

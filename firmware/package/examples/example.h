@@ -27,14 +27,15 @@ static inline struct ph_config example_config(void)
     return status == 0 ? config : (struct ph_config){0};
 }
 
-/* Takes what the renderer has drawn, as a display's driver would: RGB565, the high byte first. */
+/* Takes what the renderer has drawn, as a display's driver would: RGB565, the high byte first. context: NULL, or the
+ * uint32_t column in which it begins. */
 static inline int example_flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t height,
                                 const void *pixels)
 {
+    const uint32_t left = context != NULL ? *(const uint32_t *)context : 0;
     const uint8_t *from = pixels;
-    (void)context;
     for (uint32_t i = 0; i < width * height; i++, from += 2) {
-        uint8_t *const to = example_picture[y + i / width][x + i % width];
+        uint8_t *const to = example_picture[y + i / width][left + x + i % width];
         const unsigned v = (unsigned)from[0] << 8 | from[1];
         to[0] = (uint8_t)((v >> 11) * 255 / 31);
         to[1] = (uint8_t)((v >> 5 & 63) * 255 / 63);
