@@ -119,6 +119,14 @@ every_paper_is_linked() { # a README.md that README.md does not name is not foun
     return "$missing"
 }
 
+# The table of tests/bench/README.md is what the command prints; the row of README.md has two of its lines' numbers.
+headline_is_of_the_bench() {
+    tests/bench/headline.sh >"$dir/headline" && [ "$(wc -l <"$dir/headline")" = 8 ] &&
+        awk '/^## The headline/ { inside = 1; next } /^## / { inside = 0 } inside && /^\|/' tests/bench/README.md | diff - "$dir/headline" &&
+        awk -F' *\\| *' '/M0\+|M4F/ { text = text (text ? ", " : "") $2 " " $3 (NR == 3 ? " (best other: " : " (") $4 ")" } END { print text }' "$dir/headline" >"$dir/row" &&
+        grep -qF "| $(cat "$dir/row") |" README.md || { cat "$dir/row" && return 1; }
+}
+
 targets_exist() {
     local target
     while read -r target; do
@@ -171,6 +179,7 @@ fi
 check "the_links_lead_somewhere" links_exist
 check "every_paper_is_linked" every_paper_is_linked
 check "the_README_has_at_most_300_lines" readme_is_short
+check "the_headline_is_what_the_bench_says" headline_is_of_the_bench
 check "the_make_targets_exist" targets_exist
 check "the_numbers_are_those_of_the_checks" numbers_are_those_of_the_checks
 tap_end
