@@ -6,7 +6,7 @@
 #   pinhole-x-esp-idf.zip       the renderer as a component of ESP-IDF
 # With PROFILE=small only
 #   Pinhole-x-small-arduino.zip the renderer for chips of 32 KB of flash, for Arduino and PlatformIO
-# Environment: B (build directory), PROFILE (whole or small).
+# Environment: B (build directory), PROFILE (whole or small), URL (the public address that manifests name).
 set -eu
 cd "$(dirname "$0")/../.."
 B=${B:-build}
@@ -23,7 +23,8 @@ git archive HEAD firmware LICENSE | tar -x -C "$work/tree"
 core=$work/tree/firmware/core
 here=$work/tree/firmware/package
 
-fill() { sed "s|@VERSION@|$VERSION|g" "$1"; } # template
+# Fills a template. Without a public address (URL) the manifests name none, and a registry would refuse them.
+fill() { sed "s|@VERSION@|$VERSION|g; s|@URL@|${URL-}|g" "$1" | if [ -n "${URL-}" ]; then cat; else sed '/^url: ""$/d; /"homepage": ""/d'; fi; }
 
 # ---- ESP-IDF: the sources as they are, and the public headers once more as <pinhole/...> -----------------------------
 

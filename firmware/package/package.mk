@@ -5,9 +5,11 @@
 #   make dist                               build/dist/: a tarball of git's HEAD, and the library for Arduino and ESP-IDF
 #   make examples                           firmware/package/examples: the pictures, their README and CRCs
 #   make docs                             build/docs/html/: headers, papers, examples and a tutorial as a site, by Doxygen
+#   make release URL=https://..             all that is published, with checksums and changes: build/release/
 #   make deb                                build/deb/: Debian packages, through debian/
 PREFIX ?= /usr/local
 LIBDIR ?= lib
+URL ?=
 HERE := firmware/package
 IN = $(DESTDIR)$(PREFIX)
 INCLUDES = $(IN)/include/pinhole
@@ -23,7 +25,7 @@ CORE_ROOMS := $(patsubst firmware/core/%/,%,$(filter-out %/kernels/,$(wildcard f
 FILL = sed -e 's|@PREFIX@|$(PREFIX)|g; s|@LIBDIR@|$(LIBDIR)|g; s|@VERSION@|$(PINHOLE_VERSION)|g'
 INSTALL = install -m 644
 
-.PHONY: install install-programs install-dev uninstall dist deb docs examples
+.PHONY: install install-programs install-dev uninstall dist deb docs release examples
 
 install: install-programs install-dev ## programs, man pages, library and headers, below PREFIX=/usr/local; pkg-config and CMake find it
 
@@ -54,10 +56,13 @@ uninstall: ## takes away what install brought
 	rm -f '$(LIBRARY)/libpinhole.a' '$(LIBRARY)/pkgconfig/pinhole.pc'
 
 dist: ## a tarball of git's HEAD, an Arduino and PlatformIO library, an ESP-IDF component: build/dist/; PROFILE=small: an Arduino library for small chips
-	$(Q)B='$(B)' PROFILE='$(PROFILE)' VERSION='$(PINHOLE_VERSION)' $(HERE)/dist.sh
+	$(Q)B='$(B)' PROFILE='$(PROFILE)' VERSION='$(PINHOLE_VERSION)' URL='$(URL)' $(HERE)/dist.sh
 
 deb: ## Debian packages pinhole and libpinhole-dev of git's HEAD, checked by lintian: build/deb/
 	$(Q)B='$(B)' VERSION='$(PINHOLE_VERSION)' $(HERE)/deb.sh
+
+release: ## URL=https://..: UF2 files, page, docs, packages, with checksums and changes, of a clean tree: build/release; uploads nothing
+	$(Q)B='$(B)' VERSION='$(PINHOLE_VERSION)' URL='$(URL)' $(HERE)/release.sh
 
 docs: ## the public headers, papers, examples and a tutorial as a site: build/docs/html (Doxygen)
 	$(Q)B='$(B)' VERSION='$(PINHOLE_VERSION)' $(HERE)/docs/docs.sh

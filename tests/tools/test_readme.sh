@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What the READMEs show works: its program compiles without a warning and prints what stands there, its commands run, its
 # links lead somewhere, its numbers are those that the checks hold. (Its tables: test_readme_tables.c.)
-# shellcheck disable=SC2317 # functions are called by check
+# shellcheck disable=SC2317,SC2015 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
