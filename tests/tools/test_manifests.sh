@@ -21,7 +21,7 @@ properties_wrong() { # file
             kinds = "|Display|Communication|Signal Input/Output|Sensors|Device Control|Timing|Data Storage|Data Processing|Other|" }
         /^#/ || /^$/ { next }
         { value = substr($0, length($1) + 2); if ($1 in field) print $1 " twice"; field[$1] = value }
-        $1 !~ /^(name|version|author|maintainer|sentence|paragraph|category|url|architectures|depends|includes|dot_a_linkage|precompiled|ldflags|license)$/ { print "no field: " $1 }
+        $1 !~ /^(name|version|author|maintainer|sentence|paragraph|category|url|architectures|depends|includes|dot_a_linkage|precompiled|ldflags)$/ { print "no field: " $1 }
         END {
             for (i = 1; i <= n; i++) if (field[must[i]] == "") print "no " must[i]
             if (field["name"] !~ /^[A-Za-z0-9][A-Za-z0-9 _.-]*$/ || length(field["name"]) > 63 || tolower(field["name"]) ~ /^arduino/) print "name"
