@@ -244,6 +244,7 @@ $(B)/$(1)_more/%.o: $(3)/%.c $(B)/flags
 	@grep -qw '$(2)_$$*' '$$<' || { echo '$$<: defines no $(2)_$$*' >&2; exit 1; }
 	$$(SAY) CC $$<
 	$$(Q)$$(COMPILE) -c $$< -o $$@
+	$$(Q)sed 's:$$<::' $$(@:.o=.d) >$$@.d && mv $$@.d $$(@:.o=.d) # a user's file may move
 endef
 $(if $(DEMOS_MORE),$(eval $(call rule_of_more,demos,demo,$(DEMO_DIR))))
 $(if $(PANELS_MORE),$(eval $(call rule_of_more,panels,panel,$(PANEL_DIR))))
