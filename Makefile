@@ -220,7 +220,7 @@ $(B)/boards_all/boards_all.h: FORCE
 	@mkdir -p $(@D); new=$@.$$$$; \
 	{ printf 'extern const struct board %s;\n' $(BOARD_IDS); printf '#define BOARDS_ALL'; printf ' &%s,' $(BOARD_IDS); echo; } >$$new; \
 	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi # a name of its own: another make may write it, too
-	$(if $(PANELS_MORE),@cat $(PANELS_MORE:%='$(PANEL_DIR)/%.glass') >$(@D)/glasses_more.inc)
+	$(if $(PANELS_MORE),@set -- $(PANELS_MORE:%='$(PANEL_DIR)/%.glass'); cat "$$@" | cmp -s - $(@D)/glasses_more.inc || cat "$$@" >$(@D)/glasses_more.inc)
 
 ifneq ($(BOARDS_MORE),)
 $(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags
