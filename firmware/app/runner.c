@@ -24,6 +24,12 @@ static int open_panel(struct runner *runner, const struct picture_memory *p)
     return panel_open(&runner->driver, &runner->hal, &config);
 }
 
+static int init_renderer(const struct runner *runner, struct ph_renderer *r, const struct ph_config *config)
+{
+    const int status = ph_renderer_init(r, config);
+    return status == 0 && runner->config.dither != NULL ? runner->config.set_dither(r, runner->config.dither) : status;
+}
+
 static int open_renderer(struct runner *runner, const struct picture_memory *p, const struct scene_memory *s)
 {
     const struct ph_config config = {.width = p->width,
@@ -45,7 +51,7 @@ static int open_renderer(struct runner *runner, const struct picture_memory *p, 
                                      .depth = runner->depth,
                                      .samples = runner->samples,
                                      .antialiasing = runner->config.antialiasing};
-    return ph_renderer_init(&runner->renderer, &config);
+    return init_renderer(runner, &runner->renderer, &config);
 }
 
 static int open_demo(struct runner *runner, const struct demo *demo, const struct picture_memory *p,
@@ -256,7 +262,7 @@ void runner_ahead(struct runner *runner, uint32_t frame)
     struct ph_config config = runner->renderer.config;
     config.vertices = config.vertices == runner->scene ? (void *)(a + 1) : runner->scene;
     config.triangles = config.vertices;
-    a->status = ph_renderer_init(&a->renderer, &config);
+    a->status = init_renderer(runner, &a->renderer, &config);
     a->context = runner->context;
     a->context.clock = demo_clock_after(runner->clock, runner->step * 64U);
     a->demo = runner->demo;

@@ -302,6 +302,8 @@ static const struct option_row rows[] = {
      .at = offsetof(struct sim_options, band), .least = 1, .most = SIZE_LIMIT},
     {"aa", NULL, "antialiasing: 2 x 2 samples a pixel, in bands of a quarter of the height; at most 512x512 pixels",
      NULL, .at = offsetof(struct sim_options, antialias)},
+    {"dither", NULL, "light without bands: Gouraud light is dithered, in depth of 16 bits but linear-w; not with --aa",
+     NULL, .at = offsetof(struct sim_options, dither)},
     {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,
      .at = offsetof(struct sim_options, overlay)},
     {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,

@@ -42,7 +42,7 @@ struct sim_options {
     struct option_depth depth;
     uint8_t convention; /* enum ph_convention */
     const char *show;   /* "depth", or NULL: the picture */
-    bool crc, stats, json, overlay, antialias, matrix, show_window;
+    bool crc, stats, json, overlay, antialias, dither, matrix, show_window;
     bool factors; /* --matrix factors */
     bool anyway;  /* draws matrices that are no camera */
     bool point_set, object_set;

@@ -36,6 +36,11 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
                                    .clip_fps = setup->clip_fps,
                                    .overlay = setup->overlay,
                                    .antialiasing = setup->antialias ? PH_ANTIALIAS_2X2 : NULL};
+    p->dither = (struct ph_dither){.ramps = p->dithered_ramps, .ramp_max = SIM_DITHERED_RAMPS};
+    if (setup->dither) {
+        config.dither = &p->dither;
+        config.set_dither = ph_dither;
+    }
     const uint16_t width = panel_width(board->panel, setup->rotation);
     const uint16_t height = panel_height(board->panel, setup->rotation);
     config.memory_bytes = runner_bytes(&config);

@@ -23,16 +23,20 @@ struct sim_player_setup {
     const char *view; /* one of the demo's views, or NULL: the first */
     struct demo_camera camera;
     uint16_t clip_fps; /* see struct demo_context */
-    bool antialias;
+    bool antialias, dither;
     bool overlay; /* frame time (of the bus) and triangles over the picture */
 };
+
+#define SIM_DITHERED_RAMPS 32 /* more than a demo has */
 
 struct sim_player {
     struct sim_player_setup setup;
     struct runner runner;
     struct hal hal;
     struct sim *sim;
-    void *memory;                 /* the kit's */
+    void *memory; /* the kit's */
+    struct ph_dither dither;
+    struct ph_dithered_ramp dithered_ramps[SIM_DITHERED_RAMPS];
     struct ppm picture;           /* the last frame as it is seen */
     struct sim_counters counters; /* before the last frame */
     bool drops_told;

@@ -6,7 +6,7 @@
  *   SCENE FORMAT STAGE FRAME COUNT
  *
  * The frame is one band of 240 lines. FORMAT `kit` is what a kit runs: bands of 16 lines, and depth AUTO (float16
- * here).
+ * here). FORMAT `dither`, which `all` leaves out, is the same in dithered light.
  *
  * COUNT is in instructions; for `crc` it is the frame's CRC, which pinhole-sim --crc prints in hexadecimal. Stages:
  *
@@ -21,6 +21,7 @@
 #include "bench.h"
 
 #include "demo.h"
+#include "dither.h"
 #include "render.h"
 
 #include <stdbool.h>
@@ -30,7 +31,8 @@
 #define HEIGHT    240
 #define STEP      8
 #define LAST      56
-#define FORMATS   6
+#define FORMATS   7
+#define DITHER    6 /* number of this format */
 #define KIT_LINES 16
 #define VERTICES  2562
 #define TRIANGLES 2600
@@ -43,14 +45,17 @@ struct scene {
 static const struct scene scenes[] = {{"S1", "torus"},  {"S2", "cube"}, {"S3", "fill"}, {"S4", "icosphere"},
                                       {"S5", "ground"}, {"S6", NULL},   {"S7", NULL},   {"S8", NULL}};
 
-static const char *const format_names[FORMATS] = {"kit", "fixed16", "float16", "fixed24", "float24", "linear-w"};
+static const char *const format_names[FORMATS] = {"kit",     "fixed16",  "float16", "fixed24",
+                                                  "float24", "linear-w", "dither"};
 static const struct ph_depth_format *const formats[FORMATS] = {PH_DEPTH_AUTO,    PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16,
-                                                               PH_DEPTH_FIXED24, PH_DEPTH_FLOAT24, PH_DEPTH_LINEAR_W};
+                                                               PH_DEPTH_FIXED24, PH_DEPTH_FLOAT24, PH_DEPTH_LINEAR_W,
+                                                               PH_DEPTH_AUTO};
 
 /* One image, one run: all its memory. Word-wise for alignment. */
 static uint64_t arena[ARENA / 8], vertices[VERTICES * 8], triangles[TRIANGLES * 20];
 static uint32_t depth[WIDTH * HEIGHT], bins[HEIGHT / KIT_LINES];
 static uint16_t pixels[WIDTH * HEIGHT];
+static struct ph_dithered_ramp ramps[1];
 
 /* The last mesh drawn, caught on its way into the renderer (ld --wrap). */
 static struct ph_mesh caught_mesh;
@@ -186,8 +191,13 @@ static bool run(const struct scene *scene, unsigned format)
     context.arena.base = (uint8_t *)arena;
     context.arena.size = sizeof arena;
     struct ph_renderer renderer;
+    struct ph_dither dither = {.ramps = ramps, .ramp_max = 1};
     if (ph_renderer_init(&renderer, &config) != 0 || demo->init(&context) != 0) {
         return false;
+    }
+    if (format == DITHER) {
+        ph_dither(&renderer, &dither);
+        whole_frame(demo, &context, &renderer, 0); /* it makes the ramp */
     }
     for (uint32_t frame = 0; frame <= LAST; frame += STEP) {
         const char *what[3] = {scene->name, format_names[format], "frame"};
@@ -219,7 +229,7 @@ int main(void)
     for (unsigned i = 0; i < sizeof scenes / sizeof scenes[0]; i++) {
         for (unsigned format = 0; format < FORMATS; format++) {
             if (wanted(machine_word(0), scenes[i].name) && wanted(machine_word(1), format_names[format]) &&
-                !run(&scenes[i], format)) {
+                (format != DITHER || strcmp(machine_word(1), "all") != 0) && !run(&scenes[i], format)) {
                 machine_print("a scene does not fit the benchmark's memory\n");
                 return 1;
             }

@@ -3,6 +3,7 @@
  * unlit mesh, clipped, under a perspective, in fixed16. With SHOWN it runs on a computer, and prints the CRC of three
  * frames.
  */
+#include "dither.h"
 #include "picture.h"
 
 #include "overlay.h"
@@ -31,6 +32,10 @@
 PICTURE(DEPTH_BYTES * 4);
 
 static uint16_t ramp[PH_RAMP_SIZE];
+#ifdef DITHER
+static struct ph_dithered_ramp dithered_ramps[1];
+static struct ph_dither dither = {.ramps = dithered_ramps, .ramp_max = 1};
+#endif
 
 #ifdef ANTIALIAS
 static uint32_t samples[2 * WIDTH * BAND];
@@ -223,6 +228,9 @@ int main(void)
         .depth_format = FORMAT
     };
     int status = ph_renderer_init(&renderer, &config);
+#ifdef DITHER
+    status = status != PH_OK ? status : ph_dither(&renderer, &dither);
+#endif
     ph_material_ramp(ramp, 255, 160, 0, FX_ONE);
     for (uint32_t turn = 0; status == PH_OK; turn += 1 << 28) {
         status = begin(turn);

@@ -13,14 +13,6 @@ uint16_t ph_rgb565(uint8_t red, uint8_t green, uint8_t blue)
     return ph_wire16((uint16_t)(quantise(red, 31) << 11 | quantise(green, 63) << 5 | quantise(blue, 31)));
 }
 
-/* One channel, 0 .. top. With the intensity, Q16.16, it fades from black to its colour at 1, then to white. */
-static uint32_t ramp_channel(uint32_t channel, uint32_t intensity, uint32_t top)
-{
-    const uint32_t white = intensity <= FX_ONE ? 0 : intensity - FX_ONE;
-    const uint32_t lit = intensity <= FX_ONE ? channel * intensity : (channel << 16) + (255 - channel) * white;
-    return ((lit * top + ((uint32_t)255 << 15)) >> 16) * 32897 >> 23; /* n / 255 of 16 bits: no CPU needs to divide */
-}
-
 void ph_material_ramp(uint16_t ramp[PH_RAMP_SIZE], uint8_t red, uint8_t green, uint8_t blue, fx_t specular)
 {
     const uint32_t full = FX_ONE + (uint32_t)(specular < 0 ? 0 : specular > FX_ONE ? FX_ONE : specular);
@@ -32,7 +24,8 @@ void ph_material_ramp(uint16_t ramp[PH_RAMP_SIZE], uint8_t red, uint8_t green, u
             intensity += whole + (rest >= 119);
             rest -= rest >= 119 ? 119 : 0;
         }
-        ramp[i] = ph_wire16((uint16_t)(ramp_channel(red, intensity, 31) << 11 |
-                                       ramp_channel(green, intensity, 63) << 5 | ramp_channel(blue, intensity, 31)));
+        ramp[i] = ph_wire16((uint16_t)(ph_ramp_channel(red, intensity, 31, PH_RAMP_NEAREST) << 11 |
+                                       ph_ramp_channel(green, intensity, 63, PH_RAMP_NEAREST) << 5 |
+                                       ph_ramp_channel(blue, intensity, 31, PH_RAMP_NEAREST)));
     }
 }

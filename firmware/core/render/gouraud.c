@@ -46,4 +46,9 @@ static void take_tall(struct ph_triangle *t, const struct ph_renderer *r, const 
     small->lower_rows = (uint16_t)(upper_rows > 0 ? lower_rows : 0);
 }
 
-const struct ph_gouraud ph_gouraud = {.take_tall = take_tall, .set_light = ph_set_light, .draw_long = ph_draw_long};
+static uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return ph_draw_long(t, band, ph_long_gouraud);
+}
+
+const struct ph_gouraud ph_gouraud = {.take_tall = take_tall, .set_light = ph_set_light, .draw_long = draw_long};

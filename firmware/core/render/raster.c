@@ -106,24 +106,6 @@ PH_TIER(scenery) uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_b
     if (!can_step(t) || t->y_top < band->y0) {
         return draw_then_step(t, band);
     }
-    struct ph_small_triangle *const small = &t->as.small.rows;
-    const uint32_t rows = (uint32_t)(band->y1 - t->y_top), upper_rows = small->upper_rows, stride = band->stride;
-    const uint32_t lower_rows = small->lower_rows, start = (uint32_t)(t->y_top - band->y0) * stride;
-    const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride,
-                                .draw_gouraud = ph_small_gouraud};
-    t->y_top = (int16_t)band->y1;
-    if (rows < upper_rows) {
-        small->upper_rows = (uint16_t)rows;
-        small->lower_rows = 0;
-        const uint32_t count = draw_left(t, band, small, &at);
-        small->upper_rows = (uint16_t)upper_rows;
-        small->lower_rows = (uint16_t)lower_rows;
-        ph_skip_upper_rows(small, rows);
-        return count;
-    }
-    const uint32_t below = rows - upper_rows;
-    small->lower_rows = (uint16_t)below;
-    const uint32_t count = draw_left(t, band, small, &at);
-    ph_skip_to_lower_rows(small, rows, below, lower_rows - below);
-    return count;
+    return t->kind == PH_KIND_SMALL_KNEE ? ph_draw_above_with(t, band, band->ways->octaves->draw_knee)
+                                         : ph_draw_above_with(t, band, ph_small_gouraud);
 }

@@ -185,8 +185,13 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_sma
             const struct ph_row_piece piece = {x, n, code, octave->slope, x + n == to};
             t->material->shading->texturing.draw_texel_piece(texels, &piece, at->depth, at->pixels);
         } else {
-            ph_span_gouraud(&at->pixels[x], &at->depth[x], n, code, octave->slope, r->light + x * r->glight, r->glight,
-                            r->ramp);
+            struct ph_small_triangle row = *r;
+            row.left = x << 16;
+            row.right = (x + n) << 16;
+            row.d = code - x * octave->slope;
+            row.gd = octave->slope;
+            row.upper_rows = 1;
+            at->draw_gouraud(&row, at->depth, at->pixels, 2 * at->stride);
         }
     }
     return to - from;
@@ -242,7 +247,7 @@ static uint32_t draw_long_rows(const struct ph_triangle *t, const struct ph_band
         const uint32_t n = rows < PH_LONG_ROWS ? rows : PH_LONG_ROWS;
         r->upper_rows = (uint16_t)n;
         if (t->block == PH_BLOCK_NONE) {
-            count += ph_long_gouraud(r, at.depth, at.pixels, 2 * at.stride);
+            count += at.draw_gouraud(r, at.depth, at.pixels, 2 * at.stride);
             if (n == rows) { /* as in every band of 16 lines */
                 return count;
             }
@@ -257,8 +262,8 @@ static uint32_t draw_long_rows(const struct ph_triangle *t, const struct ph_band
     return count;
 }
 
-/* Draws a Gouraud triangle that is not small, with depth of 16 bits. */
-PH_TIER(scenery) uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band)
+PH_TIER(scenery)
+uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band, ph_gouraud_kernel *draw_gouraud)
 {
     const struct ph_plane *const depth = &t->as.large.depth.as.plane, *const light = &t->as.large.of.light;
     struct ph_small_triangle r;
@@ -280,7 +285,7 @@ PH_TIER(scenery) uint32_t ph_draw_long(const struct ph_triangle *t, const struct
             r.d = depth->base + (uint32_t)in.y * depth->gy;
             r.light = light->base + (uint32_t)in.y * light->gy;
             const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride,
-                                        .draw_gouraud = ph_long_gouraud};
+                                        .draw_gouraud = draw_gouraud};
             count += draw_long_rows(t, band, &r, at, (uint32_t)(in.y_end - in.y));
         }
     }

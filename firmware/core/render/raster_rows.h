@@ -16,7 +16,8 @@ static inline bool ph_ends_at_stride(const struct ph_triangle *t)
 struct ph_place {
     uint16_t *depth, *pixels;
     uint32_t stride; /* pixels; see ph_ends_at_stride */
-    /* ph_small_gouraud; or ph_long_gouraud, if rows may leave the picture or have more than PH_SMALL_COLUMNS pixels */
+    /* ph_small_gouraud; or ph_long_gouraud, if rows may leave the picture or have more than PH_SMALL_COLUMNS pixels; or
+     * those of dithered light */
     ph_gouraud_kernel *draw_gouraud;
 };
 
@@ -64,11 +65,37 @@ static inline void ph_skip_rows_of(struct ph_small_triangle *r, uint32_t n)
 /* Steps a small triangle n rows down, through both halves. */
 void ph_skip_rows(struct ph_small_triangle *r, uint32_t n);
 
+/* ph_draw_above for a small triangle that begins in the band, and whose depth is a plane of codes. */
+static inline uint32_t ph_draw_above_with(struct ph_triangle *t, const struct ph_band *band,
+                                          ph_gouraud_kernel *draw_gouraud)
+{
+    struct ph_small_triangle *const small = &t->as.small.rows;
+    const uint32_t rows = (uint32_t)(band->y1 - t->y_top), upper_rows = small->upper_rows, stride = band->stride;
+    const uint32_t lower_rows = small->lower_rows, start = (uint32_t)(t->y_top - band->y0) * stride;
+    uint16_t *const depth = (uint16_t *)band->depth + start, *const pixels = band->pixels + start;
+    t->y_top = (int16_t)band->y1;
+    if (rows < upper_rows) {
+        small->upper_rows = (uint16_t)rows;
+        small->lower_rows = 0;
+        const uint32_t count = draw_gouraud(small, depth, pixels, 2 * stride);
+        small->upper_rows = (uint16_t)upper_rows;
+        small->lower_rows = (uint16_t)lower_rows;
+        ph_skip_upper_rows(small, rows);
+        return count;
+    }
+    const uint32_t below = rows - upper_rows;
+    small->lower_rows = (uint16_t)below;
+    const uint32_t count = draw_gouraud(small, depth, pixels, 2 * stride);
+    ph_skip_to_lower_rows(small, rows, below, lower_rows - below);
+    return count;
+}
+
 /* Cuts r, the rows of t or a copy of them, down to its rows in the band. Returns the place of the first of them. */
 struct ph_place ph_cut_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_small_triangle *r);
 
-/* Draws the part of a Gouraud triangle that lies in the band, with depth of 16 bits. Returns the pixels tested. */
-uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band);
+/* Draws the part of a Gouraud triangle that lies in the band, with depth of 16 bits. draw_gouraud: ph_long_gouraud or
+ * ph_long_dithered. Returns the pixels tested. */
+uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band, ph_gouraud_kernel *draw_gouraud);
 
 /* Draws the part of a small triangle that lies in the band; it crosses octaves, and may have a texture. Only formats
  * name this function and the next one. */

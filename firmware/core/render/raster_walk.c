@@ -43,7 +43,7 @@ static inline void span_gouraud_linear(uint16_t *pixels, uint16_t *depth, uint32
                                        const uint16_t *ramp)
 {
     for (; n > 0; n--, d += gd, light += glight) {
-        ph_pixel_gouraud(pixels++, depth++, linear_code(linear, d), light, ramp);
+        ph_pixel_gouraud(pixels++, depth++, linear_code(linear, d), light, ramp, PH_LIGHT_DOWN);
     }
 }
 

@@ -10,7 +10,6 @@
 
 #include "band.h"
 
-struct ph_fast;
 struct ph_feed;
 struct ph_setting;
 
@@ -28,13 +27,15 @@ void ph_samples_clear(const struct ph_band *rows, const struct ph_columns *in, u
 /* Makes pixels of the samples of a band; outside `in` they are the background's. */
 void ph_samples_resolve(const struct ph_band *rows, const struct ph_columns *in, uint16_t background, uint16_t *pixels);
 
+/* Dithered light has one of its own: see dither.c. */
 struct ph_antialiasing {
     /* Draws the band that a feed stands at into samples, and makes pixels of them. */
     void (*draw_samples)(struct ph_feed *f, struct ph_band *rows, uint16_t *pixels);
-    /* Lets ph_setup_fast take longer sides. */
-    void (*widen)(struct ph_fast *fast);
-    /* Makes a small triangle with a plane of codes that has long rows one of PH_KIND_SMALL_LONG. */
-    void (*set_kind)(const struct ph_setting *s, struct ph_triangle *t);
+    /* Ends the preparation of a draw: lets ph_setup_fast take longer sides. */
+    void (*prepare)(struct ph_setting *s);
+    /* Makes a small triangle that has long rows one of PH_KIND_SMALL_LONG. has_rows: it exceeds a small one in height,
+     * too. */
+    void (*set_kind)(const struct ph_setting *s, struct ph_triangle *t, bool has_rows);
     /* setup.h */
     enum ph_excess (*excess_of)(const struct ph_setting *s, const struct ph_sides *sides,
                                 const struct ph_vertex *const v[3]);

@@ -10,10 +10,11 @@
 #include "setup.h"
 
 /* Lets ph_setup_fast take longer sides where pixels are samples, if the picture is large enough. */
-PH_TIER(seldom) static void widen(struct ph_fast *fast)
+PH_TIER(seldom) static void prepare(struct ph_setting *s)
 {
+    struct ph_fast *const fast = &s->fast;
     const uint32_t more = PH_SIDE_SHORT - PH_SIDE_SMALL;
-    if (fast->inner_x > 2 * more && fast->inner_y > 2 * more) {
+    if (s->source != PH_FROM_TEXELS && fast->inner_x > 2 * more && fast->inner_y > 2 * more) {
         fast->side += more;
         fast->margin += more;
         fast->inner_x -= 2 * more;
@@ -34,9 +35,9 @@ static bool has_long_rows(const struct ph_small_triangle *small)
 }
 
 /* See struct ph_antialiasing. */
-static void set_kind(const struct ph_setting *s, struct ph_triangle *t)
+static void set_kind(const struct ph_setting *s, struct ph_triangle *t, bool has_rows)
 {
-    if (has_long_rows(&t->as.small.rows)) {
+    if (has_rows || (t->kind == PH_KIND_SMALL && has_long_rows(&t->as.small.rows))) {
         t->kind = PH_KIND_SMALL_LONG;
         t->as.small.of.antialiasing = s->antialiasing;
     }
@@ -77,7 +78,7 @@ PH_TIER(seldom) static void draw_samples(struct ph_feed *f, struct ph_band *rows
 }
 
 const struct ph_antialiasing ph_antialias_2x2 = {.draw_samples = draw_samples,
-                                                 .widen = widen,
+                                                 .prepare = prepare,
                                                  .set_kind = set_kind,
                                                  .excess_of = ph_excess_of,
                                                  .setup_sample_line = setup_sample_line,

@@ -24,7 +24,7 @@ struct ph_setting {
                        const fx_t *const uv[3]); /* of the shading, see shading.h; PH_FROM_TEXELS only */
     enum ph_excess (*excess_of)(const struct ph_setting *s, const struct ph_sides *sides,
                                 const struct ph_vertex *const v[3]); /* setup.h; NULL: one that is not small is large */
-    const struct ph_antialiasing *antialiasing;                      /* pixels are samples; else NULL */
+    const struct ph_antialiasing *antialiasing;                      /* pixels are samples, or light is dithered */
     const struct ph_octave_ways *octaves;                            /* float16; else NULL */
     const struct ph_renderer *r;
     const struct ph_draw *draw;

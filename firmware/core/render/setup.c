@@ -222,12 +222,12 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->fast.set_codes = s->octaves != NULL ? s->octaves->set_codes : NULL;
     s->fast.side = PH_SIDE_SMALL;
     s->fast.margin = PH_SIDE_SMALL + 256;
+    s->fast.material = material;
     s->fast.inner_x = r->inner_x;
     s->fast.inner_y = r->inner_y;
-    if (s->antialiasing != NULL && !textured) {
-        s->antialiasing->widen(&s->fast);
+    if (s->antialiasing != NULL) {
+        s->antialiasing->prepare(s);
     }
-    s->fast.material = material;
     const bool fast =
         s->is_small && r->inner_x > 0 && r->inner_y > 0 && (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0;
     s->is_fast = fast && !textured;
@@ -254,7 +254,7 @@ PH_TIER(mesh) void ph_set_fast_light(const struct ph_setting *s, const struct ph
     }
     set_light(s, &s->fast.base[ref->corner[0]], t);
     if (s->antialiasing != NULL) {
-        s->antialiasing->set_kind(s, t);
+        s->antialiasing->set_kind(s, t, false);
     }
 }
 
@@ -308,14 +308,14 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
             set_texture_knee(s, t, d);
         }
     } else {
-        if (excess == PH_EXCESS_ROWS) {
-            t->kind = PH_KIND_SMALL_LONG; /* only samples have it */
-            t->as.small.of.antialiasing = s->antialiasing;
-        } else if (t->block != PH_BLOCK_NONE) {
+        if (t->block != PH_BLOCK_NONE && excess != PH_EXCESS_ROWS) {
             t->kind = PH_KIND_SMALL_SPLIT;
             s->octaves->set_knee(t, d);
         }
         set_light(s, v[0], t);
+        if (s->antialiasing != NULL) {
+            s->antialiasing->set_kind(s, t, excess == PH_EXCESS_ROWS);
+        }
     }
 }
 

@@ -9,6 +9,7 @@
 #define PH_SPAN_H
 
 #include "depth.h"
+#include "kernels.h"
 #include "triangle.h"
 
 /* Keeps the branch round the two stores of a pixel. Compilers for Thumb-2 would make the stores conditional instead,
@@ -25,14 +26,16 @@ static inline void ph_pixel_flat(uint16_t *pixel, uint16_t *depth, uint32_t d, u
     }
 }
 
-/* The top 7 bits of light are the entry of the ramp, so no read leaves the ramp, whatever light is. */
-static inline void ph_pixel_gouraud(uint16_t *pixel, uint16_t *depth, uint32_t d, uint32_t light, const uint16_t *ramp)
+/* The top bits of light are the entry of the ramp, so no read leaves the ramp, whatever light is. light_down, a
+ * constant: PH_LIGHT_DOWN, or PH_DITHERED_DOWN for a ramp that is dithered. */
+static inline void ph_pixel_gouraud(uint16_t *pixel, uint16_t *depth, uint32_t d, uint32_t light, const uint16_t *ramp,
+                                    unsigned light_down)
 {
     const uint32_t code = d >> 16;
     if (code > *depth) {
         PH_KEEP_BRANCH();
         *depth = (uint16_t)code;
-        *pixel = ramp[light >> 25];
+        *pixel = ramp[light >> light_down];
     }
 }
 
@@ -70,7 +73,7 @@ static inline void ph_pixel_gouraud24(uint16_t *pixel, uint32_t *depth, uint32_t
                                       const uint16_t *ramp)
 {
     if (ph_nearer24(depth, d)) {
-        *pixel = ramp[light >> 25];
+        *pixel = ramp[light >> PH_LIGHT_DOWN];
     }
 }
 
@@ -105,12 +108,12 @@ static inline void ph_span_gouraud24(uint16_t *pixels, uint32_t *depth, uint32_t
     }
 }
 
-/* Draws a span along a ramp of 128 colours, of which the top 7 bits of light are the entry; d is a 16.16 code. */
+/* Draws a span along a ramp of colours; d is a 16.16 code. light_down: as for a pixel. */
 static inline void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
-                                   uint32_t light, uint32_t glight, const uint16_t *ramp)
+                                   uint32_t light, uint32_t glight, const uint16_t *ramp, unsigned light_down)
 {
     for (; n > 0; n--, d += gd, light += glight) {
-        ph_pixel_gouraud(pixels++, depth++, d, light, ramp);
+        ph_pixel_gouraud(pixels++, depth++, d, light, ramp, light_down);
     }
 }
 

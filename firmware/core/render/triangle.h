@@ -115,7 +115,8 @@ enum ph_kind {
     PH_KIND_SMALL,
     PH_KIND_SMALL_KNEE,
     PH_KIND_SMALL_SPLIT, /* depth crosses octaves; with PH_KIND_SMALL and PH_KIND_SMALL_KNEE it is a plane of codes */
-    PH_KIND_SMALL_LONG,  /* of samples: its rows are up to twice as long; depth may cross octaves */
+    PH_KIND_SMALL_LONG,  /* of samples: its rows are up to twice as long; or in dithered light. Depth may cross octaves
+                          */
     PH_KIND_SMALL_TEXTURE,
     PH_KIND_SMALL_TEXTURE_KNEE, /* only if PH_TEXTURE_KNEE */
     PH_KIND_FLAT,

@@ -2,6 +2,7 @@
  * The kernels (kernels.h) on random input: a line for each of them, with a hash of all that it left behind, the memory
  * round its rows included. tests/core/test_kernels.sh compares the lines of the C and of the assembly.
  */
+#include "dither.h"
 #include "cull.h"
 #include "fog.h"
 #include "fx.h"
@@ -22,7 +23,7 @@ enum { TURNS = 20000, ROOM = 2048, TEXELS = 1 << 20 };
 
 static uint32_t state;
 static _Alignas(4) uint16_t pixels[ROOM], depth[ROOM];
-static uint16_t texels[TEXELS], ramp[128];
+static uint16_t texels[TEXELS], ramp[PH_DITHER_STEPS * PH_RAMP_SIZE];
 
 static uint32_t bits(void)
 {
@@ -234,6 +235,16 @@ static uint32_t try_knee(uint32_t h)
     return try_small(h, ph_small_knee);
 }
 
+static uint32_t try_dithered_rows(uint32_t h)
+{
+    return try_small(h, ph_small_dithered);
+}
+
+static uint32_t try_dithered_knee(uint32_t h)
+{
+    return try_small(h, ph_knee_dithered);
+}
+
 static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
 {
     const int32_t dx1 = b->x - a->x, dy1 = b->y - a->y, dx2 = c->x - a->x, dy2 = c->y - a->y;
@@ -344,7 +355,7 @@ static uint32_t try_float(uint32_t h)
 }
 
 /* Rows that may begin and end outside of the picture. */
-static uint32_t try_long(uint32_t h)
+static uint32_t try_long_by(uint32_t h, ph_gouraud_kernel *draw)
 {
     struct ph_small_triangle r = {.ramp = ramp};
     const uint32_t log2 = 18 + below(10);
@@ -366,7 +377,17 @@ static uint32_t try_long(uint32_t h)
         r.lower.dx = (int32_t)(below(1 << 20) - (1 << 19));
     }
     const uint32_t at = below(16), pixels_at = below(16);
-    return word(h, ph_long_gouraud(&r, depth + at, pixels + pixels_at, 2 * (40 + below(60))));
+    return word(h, draw(&r, depth + at, pixels + pixels_at, 2 * (40 + below(60))));
+}
+
+static uint32_t try_long(uint32_t h)
+{
+    return try_long_by(h, ph_long_gouraud);
+}
+
+static uint32_t try_dithered_long(uint32_t h)
+{
+    return try_long_by(h, ph_long_dithered);
 }
 
 static uint32_t spread(int log2)
@@ -671,6 +692,9 @@ int main(void)
                  {"small_gouraud", try_rows},
                  {"small_knee", try_knee},
                  {"long_gouraud", try_long},
+                 {"small_dithered", try_dithered_rows},
+                 {"knee_dithered", try_dithered_knee},
+                 {"long_dithered", try_dithered_long},
                  {"setup_small", try_setup_small},
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},
@@ -684,7 +708,7 @@ int main(void)
                  {"vertices", try_vertices},
                  {"cull", try_cull}};
     randomise(texels, TEXELS);
-    randomise(ramp, 128);
+    randomise(ramp, PH_DITHER_STEPS * PH_RAMP_SIZE);
     for (size_t i = 0; i < sizeof loops / sizeof loops[0]; i++) {
         uint32_t h = 2166136261u;
         state = 1;

@@ -9,6 +9,14 @@
 #include "../offsets.inc"
 #include "registers.inc"
 
+#ifndef NAME
+#define NAME ph_small_gouraud
+#define TIER loop
+#endif
+#ifndef LIGHT_DOWN
+#define LIGHT_DOWN 25
+#endif
+
     .equ left_dx, 0 @ on the stack; five words that a row loads at once
     .equ right_dx, 4
     .equ d_dy, 8
@@ -33,7 +41,7 @@
 
     .macro draw at
     strh.n r6, [r0, #2 * \at]
-    lsrs r5, r3, #25
+    lsrs r5, r3, #LIGHT_DOWN
     lsls r5, r5, #1
     ldrh.n r5, [r4, r5]
     strh.n r5, [r1, #2 * \at]
@@ -87,15 +95,10 @@
     .endif
     .ifdef with_knee
     .equ pixel_bytes, 32
-    function ph_small_knee, scenery
     .else
     .equ pixel_bytes, 22
-    .ifdef with_blocks
-    function ph_long_gouraud, scenery
-    .else
-    function ph_small_gouraud, loop
     .endif
-    .endif
+    function NAME, TIER
     @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     save_registers
     subs r2, r2, r1
@@ -270,12 +273,4 @@ row:
 5:  ldr r0, [sp, #count]
     add sp, #frame
     restore_and_return
-    .ifdef with_knee
-    .size ph_small_knee, . - ph_small_knee
-    .else
-    .ifdef with_blocks
-    .size ph_long_gouraud, . - ph_long_gouraud
-    .else
-    .size ph_small_gouraud, . - ph_small_gouraud
-    .endif
-    .endif
+    .size NAME, . - NAME

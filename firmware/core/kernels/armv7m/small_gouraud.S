@@ -8,6 +8,14 @@
 #include "../thumb.inc"
 #include "../offsets.inc"
 
+#ifndef NAME
+#define NAME ph_small_gouraud
+#define TIER loop
+#endif
+#ifndef LIGHT_DOWN
+#define LIGHT_DOWN 25
+#endif
+
     .equ left_dx, 0 @ on the stack
     .equ right_dx, 4
     .equ d_dy, 8
@@ -26,7 +34,7 @@
     .endif
 
     .macro colour at
-    lsrs r1, r3, #25
+    lsrs r1, r3, #LIGHT_DOWN
     ldrh r1, [r6, r1, lsl #1]
     strh r1, [r8, #2 * \at]
     .endm
@@ -101,15 +109,7 @@ from_\at:
     bhs row
     .endm
 
-    .ifdef with_knee
-    function ph_small_knee, scenery
-    .else
-    .ifdef with_blocks
-    function ph_long_gouraud, scenery
-    .else
-    function ph_small_gouraud, loop
-    .endif
-    .endif
+    function NAME, TIER
     @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     push {r4-r11, lr}
     .ifdef with_knee
@@ -229,12 +229,4 @@ done:
 5:  uxth r0, lr
     add sp, sp, #frame
     pop {r4-r11, pc}
-    .ifdef with_knee
-    .size ph_small_knee, . - ph_small_knee
-    .else
-    .ifdef with_blocks
-    .size ph_long_gouraud, . - ph_long_gouraud
-    .else
-    .size ph_small_gouraud, . - ph_small_gouraud
-    .endif
-    .endif
+    .size NAME, . - NAME

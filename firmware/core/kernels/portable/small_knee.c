@@ -1,45 +1,8 @@
 /* ph_small_knee of kernels.h, in C for any CPU. */
+#include "gouraud_portable.h"
 #include "kernels.h"
-#include "span.h"
-#include "triangle.h"
 
-/* Draws as many rows between the edges of r, which then stand at the row below. */
-static uint32_t draw_rows(struct ph_small_triangle *r, uint32_t rows, uint16_t *depth, uint16_t *pixels,
-                          uint32_t stride_bytes)
+uint32_t ph_small_knee(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
-    const uint16_t *const ramp = r->ramp;
-    const uint32_t gd = r->gd, glight = r->glight, knee = r->knee;
-    uint32_t count = 0;
-    for (; rows > 0; rows--) {
-        const int32_t from = (int32_t)(r->left >> 16), to = (int32_t)(r->right >> 16);
-        if (to > from) {
-            uint32_t d = r->d + gd * (uint32_t)to, light = r->light + glight * (uint32_t)to;
-            uint16_t *const row_depth = depth + to, *const row_pixels = pixels + to;
-            for (int32_t x = -1; x >= from - to; x--) {
-                d -= gd;
-                light -= glight;
-                ph_pixel_gouraud(&row_pixels[x], &row_depth[x], ph_knee_code(d, knee), light, ramp);
-            }
-            count += (uint32_t)(to - from);
-        }
-        r->left += r->left_dx;
-        r->right += r->right_dx;
-        r->d += r->d_dy;
-        r->light += r->light_dy;
-        depth = ph_row_below(depth, stride_bytes);
-        pixels = ph_row_below(pixels, stride_bytes);
-    }
-    return count;
-}
-
-uint32_t ph_small_knee(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
-{
-    struct ph_small_triangle r = *small;
-    const uint32_t above = r.upper_rows * stride_bytes;
-    const uint32_t count = draw_rows(&r, r.upper_rows, depth, pixels, stride_bytes);
-    if (r.lower_rows == 0) {
-        return count;
-    }
-    ph_small_lower(&r);
-    return count + draw_rows(&r, r.upper_rows, ph_row_below(depth, above), ph_row_below(pixels, above), stride_bytes);
+    return knee_draw_portable(rows, depth, pixels, stride_bytes, PH_LIGHT_DOWN);
 }

@@ -10,14 +10,17 @@
 #include "rv32.inc"
 #include "../offsets.inc"
 
+#ifndef NAME
+#define NAME ph_small_gouraud
+#endif
+#ifndef LIGHT_DOWN
+#define LIGHT_DOWN 25
+#endif
 #ifdef WITH_KNEE
-#define NAME ph_small_knee
 #define SAVED s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10
 #elif defined WITH_BLOCKS
-#define NAME ph_long_gouraud
 #define SAVED s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11
 #else
-#define NAME ph_small_gouraud
 #define SAVED s0, s1, s2, s3, s4, s5, s6, s7, s8, s9
 #endif
 
@@ -34,7 +37,7 @@
 #endif
     bgeu t0, t1, 2f
     sh t1, 2 * \at - 64(t5)
-    srli t0, t4, 25
+    srli t0, t4, LIGHT_DOWN
     shadd 1, t0, t0, s6
     lhu t0, 0(t0)
     sh t0, 2 * \at - 64(t6)

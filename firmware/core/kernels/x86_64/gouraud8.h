@@ -29,19 +29,21 @@ static inline struct steps8 steps8_of(__m128i step)
 }
 
 static inline struct gouraud8 gouraud8_of(__m128i step, const uint16_t *ramp, const uint16_t *depth,
-                                          const uint16_t *pixels)
+                                          const uint16_t *pixels, unsigned light_down)
 {
     return (struct gouraud8){
-        .one = {step, ramp, (const uint8_t *)pixels - (const uint8_t *)depth, false, 0},
+        .one = {step, ramp, (const uint8_t *)pixels - (const uint8_t *)depth, false, 0, light_down},
         .d = steps8_of(_mm_shuffle_epi32(step, 0)),
         .light = steps8_of(_mm_shuffle_epi32(step, _MM_SHUFFLE(2, 2, 2, 2))),
     };
 }
 
-/* Colours of 8 pixels, by the top 7 bits of their light; any: any value, its register becomes the colours'. */
-static inline __m128i colours8(__m128i any, __m128i light, __m128i light_high, const uint16_t *ramp)
+/* Colours of 8 pixels, by the top bits of their light; any: any value, its register becomes the colours'. */
+static inline __m128i colours8(__m128i any, __m128i light, __m128i light_high, const struct small_rows *rows)
 {
-    const __m128i low = _mm_srli_epi32(light, 25), high = _mm_srli_epi32(light_high, 25);
+    const uint16_t *const ramp = rows->ramp;
+    const __m128i low = _mm_srli_epi32(light, (int)rows->light_down),
+                  high = _mm_srli_epi32(light_high, (int)rows->light_down);
     __m128i colours = _mm_insert_epi16(any, ramp[_mm_extract_epi16(low, 0)], 0);
     colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(low, 2)], 1);
     colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(low, 4)], 2);
@@ -62,9 +64,9 @@ static inline void gouraud8_draw(const struct gouraud8 *g, uint16_t *depth, __m1
     uint16_t *const pixels = (uint16_t *)(void *)((uint8_t *)depth + g->one.to_pixels);
     const int mask = _mm_movemask_epi8(hidden);
     if (mask == 0) {
-        _mm_storeu_si128((__m128i *)pixels, colours8(hidden, light, light_high, g->one.ramp));
+        _mm_storeu_si128((__m128i *)pixels, colours8(hidden, light, light_high, &g->one));
     } else if (mask != 0xffff) {
-        pixels8_put(pixels, colours8(light_high, light, light_high, g->one.ramp), hidden);
+        pixels8_put(pixels, colours8(light_high, light, light_high, &g->one), hidden);
     }
 }
 

@@ -5,5 +5,5 @@
 uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes)
 {
-    return small_draw(small, depth, pixels, stride_bytes, false);
+    return small_draw(small, depth, pixels, stride_bytes, false, PH_LIGHT_DOWN);
 }

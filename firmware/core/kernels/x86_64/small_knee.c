@@ -4,5 +4,5 @@
 
 uint32_t ph_small_knee(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
-    return small_draw(small, depth, pixels, stride_bytes, true);
+    return small_draw(small, depth, pixels, stride_bytes, true, PH_LIGHT_DOWN);
 }

@@ -14,13 +14,15 @@ _Static_assert(offsetof(struct ph_small_triangle, light_dy) == 12 &&
                    offsetof(struct ph_small_triangle, light) == offsetof(struct ph_small_triangle, left) + 12,
                "left, right, d, light are loaded at once, and so are their steps");
 
-/* What all rows of a triangle have in common; knee: 0 if it has none. */
+/* What all rows of a triangle have in common; knee: 0 if it has none. light_down: the entry of the ramp is light >>
+ * this; a constant. */
 struct small_rows {
     __m128i step; /* a column's: of depth in word 0, of light in word 2 */
     const uint16_t *ramp;
     ptrdiff_t to_pixels; /* from a depth to its pixel, in bytes */
     bool has_knee;
     uint32_t knee;
+    unsigned light_down;
 };
 
 /* Draws a pixel. before has the depth of the one before it in word 0 and the light in word 2; so has the result. */
@@ -31,7 +33,8 @@ static inline __m128i small_pixel(const struct small_rows *rows, uint16_t *depth
                                          : (uint16_t)_mm_extract_epi16(at, 1);
     if (code > *depth) {
         *depth = code;
-        *(uint16_t *)(void *)((uint8_t *)depth + rows->to_pixels) = rows->ramp[(uint32_t)_mm_extract_epi16(at, 5) >> 9];
+        *(uint16_t *)(void *)((uint8_t *)depth + rows->to_pixels) =
+            rows->ramp[(uint32_t)_mm_extract_epi16(at, 5) >> (rows->light_down - 16)];
     }
     return at;
 }
@@ -89,13 +92,13 @@ static inline __attribute__((always_inline)) bool small_turn(const struct ph_sma
     return true;
 }
 
-/* Draws a small triangle; see kernels.h. has_knee is a constant. */
+/* Draws a small triangle; see kernels.h. has_knee and light_down are constants. */
 static inline uint32_t small_draw(const struct ph_small_triangle *small, uint16_t *depth, const uint16_t *pixels,
-                                  uint32_t stride_bytes, bool has_knee)
+                                  uint32_t stride_bytes, bool has_knee, unsigned light_down)
 {
     const __m128i step = _mm_unpacklo_epi32(_mm_loadl_epi64((const __m128i *)&small->gd), _mm_setzero_si128());
-    const struct small_rows rows = {step, small->ramp, (const uint8_t *)pixels - (const uint8_t *)depth, has_knee,
-                                    small->knee};
+    const struct small_rows rows = {step,     small->ramp, (const uint8_t *)pixels - (const uint8_t *)depth,
+                                    has_knee, small->knee, light_down};
     __m128i row = _mm_loadu_si128((const __m128i *)&small->left);
     __m128i down = _mm_loadu_si128((const __m128i *)&small->left_dx);
     uint32_t count = 0, left = small->upper_rows, lower_rows = small->lower_rows;

@@ -43,7 +43,7 @@ static uint32_t draw_rows(struct ph_small_triangle *r, int32_t y, const struct p
             const uint32_t from = ph_from_column(r->left), columns = ph_to_column(r->right, stride) - from;
             if ((int32_t)columns > 0) {
                 ph_span_gouraud(pixels + from, depth + from, columns, r->d + r->gd * from, r->gd,
-                                r->light + r->glight * from, r->glight, r->ramp);
+                                r->light + r->glight * from, r->glight, r->ramp, PH_LIGHT_DOWN);
                 count += columns;
             }
             ph_skip_upper_rows(r, 1);

@@ -1,0 +1,9 @@
+/* ph_small_dithered of kernels.h, in C for any CPU. */
+#include "gouraud_portable.h"
+#include "kernels.h"
+
+uint32_t ph_small_dithered(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+                           uint32_t stride_bytes)
+{
+    return small_draw_portable(rows, depth, pixels, stride_bytes, PH_DITHERED_DOWN);
+}

@@ -1,0 +1,4 @@
+/* ph_small_dithered of kernels.h: it takes what ph_small_gouraud takes. */
+#define NAME ph_small_dithered
+#define LIGHT_DOWN 22
+#include "small_gouraud.S"
