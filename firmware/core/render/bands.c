@@ -31,7 +31,8 @@ PH_TIER(mesh) void ph_enter_draw(struct ph_feed *f, uint32_t ref)
 /* ---- drawing ---------------------------------------------------------------------------------------------------- */
 
 /* Draws the carried triangles that come before the next reference. */
-PH_TIER(scenery) static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct ph_rest *rest)
+PH_TIER(scenery)
+static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct ph_rest *rest) /* called as draw_begun */
 {
     return ph_begun_loop(f, rest, NULL);
 }
@@ -39,7 +40,7 @@ PH_TIER(scenery) static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struc
 /* ---- bands ----------------------------------------------------------------------------------------------------- */
 
 /* Draws the triangles of a band that are left, until the other core is idle. */
-PH_TIER(mesh) static FX_APART void draw_rest(struct ph_feed *f, struct ph_rest *rest)
+PH_TIER(mesh) static FX_APART void draw_rest(struct ph_feed *f, struct ph_rest *rest) /* called as draw_rest */
 {
     ph_rest_loop(f, rest, draw_begun, NULL);
 }

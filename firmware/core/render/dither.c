@@ -101,7 +101,7 @@ static uint32_t draw_small(const struct ph_triangle *t, const struct ph_band *ba
 static void take_tall(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                       const struct ph_sides *sides)
 {
-    ph_gouraud.take_tall(t, r, v, sides);
+    ph_take_tall(t, r, v, sides);
     if (t->kind == PH_KIND_SMALL) {
         make_dithered(t, r->config.antialiasing);
     }
@@ -270,16 +270,17 @@ static inline uint32_t draw_end(const struct ph_triangle *t, const struct ph_ban
     return is_plain(t) && t->y_top >= band->y0 ? draw_whole(t, band) : ph_draw_end(t, band);
 }
 
-static const struct ph_fast_draws fast = {draw_fast, draw_above, draw_end};
+static const struct ph_fast_draws fast = {.draw_whole = draw_fast, .draw_above = draw_above, .draw_end = draw_end};
 
 /* Draws the carried triangles that come before the next reference, as in bands.c. */
-PH_TIER(scenery) static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct ph_rest *rest)
+PH_TIER(scenery)
+static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct ph_rest *rest) /* called as draw_begun */
 {
     return ph_begun_loop(f, rest, &fast);
 }
 
 /* Draws the triangles of a band that are left, as in bands.c. */
-PH_TIER(mesh) static FX_APART void draw_rest(struct ph_feed *f, struct ph_rest *rest)
+PH_TIER(mesh) static FX_APART void draw_rest(struct ph_feed *f, struct ph_rest *rest) /* called as draw_rest */
 {
     ph_rest_loop(f, rest, draw_begun, &fast);
 }

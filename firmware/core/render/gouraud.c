@@ -14,8 +14,8 @@ static bool is_tall(const struct ph_renderer *r, const struct ph_vertex *const v
            ph_is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width);
 }
 
-static void take_tall(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
-                      const struct ph_sides *sides)
+void ph_take_tall(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                  const struct ph_sides *sides)
 {
     if (!is_tall(r, v, sides)) {
         return;
@@ -51,4 +51,4 @@ static uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *ban
     return ph_draw_long(t, band, ph_long_gouraud);
 }
 
-const struct ph_gouraud ph_gouraud = {.take_tall = take_tall, .set_light = ph_set_light, .draw_long = draw_long};
+const struct ph_gouraud ph_gouraud = {.take_tall = ph_take_tall, .set_light = ph_set_light, .draw_long = draw_long};
