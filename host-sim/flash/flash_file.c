@@ -124,16 +124,23 @@ static uint8_t *load(FILE *file, size_t *n, char *error)
     return NULL;
 }
 
+uint8_t *flash_file_load(const char *path, size_t *n, char *error)
+{
+    FILE *const file = fopen(path, "rb");
+    if (file == NULL) {
+        flash_image_wrong(error, "cannot be opened: %s", strerror(errno));
+        return NULL;
+    }
+    uint8_t *const bytes = load(file, n, error);
+    fclose(file);
+    return bytes;
+}
+
 int flash_file_read(struct flash_image *image, const char *path, char *error)
 {
     size_t n = 0;
     memset(image, 0, sizeof *image);
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        return flash_image_wrong(error, "cannot be opened: %s", strerror(errno));
-    }
-    uint8_t *bytes = load(file, &n, error);
-    fclose(file);
+    uint8_t *bytes = flash_file_load(path, &n, error);
     if (bytes == NULL) {
         return PH_ERR_INVAL;
     }

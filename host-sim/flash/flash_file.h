@@ -14,6 +14,9 @@
 /* Reads the file. 0, or a status with a line in error (FLASH_ERROR_SIZE bytes); the image is empty then. */
 int flash_file_read(struct flash_image *image, const char *path, char *error);
 
+/* Reads all bytes of a file, which are the caller's to free(). NULL with a line in error. */
+uint8_t *flash_file_load(const char *path, size_t *n, char *error);
+
 /* Reads a file that lies in memory. Returns as flash_file_read does. */
 int flash_file_parse(struct flash_image *image, const uint8_t *bytes, size_t n, char *error);
 

@@ -109,3 +109,18 @@ int flash_pick(const struct flash_board *boards, int count, enum flash_chip chip
     }
     return matching == 1 ? picked : unknown(boards, count, chip, serial, names, error);
 }
+
+const char *flash_pick_why(int status)
+{
+    switch (status) {
+    case HAL_EACCES:
+        return "no permission; copy boards/udev/60-pinhole.rules to /etc/udev/rules.d, run udevadm control --reload, "
+               "and plug it in again";
+    case HAL_EBUSY:
+        return "in use by another program; end that one";
+    case HAL_ENODEV:
+        return "unplugged; plug it in again with BOOTSEL held";
+    default:
+        return "cannot be opened; plug it in again with BOOTSEL held";
+    }
+}

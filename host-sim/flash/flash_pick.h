@@ -8,4 +8,7 @@
  * or a status with a line in error (FLASH_ERROR_SIZE). */
 int flash_pick(const struct flash_board *boards, int count, enum flash_chip chip, const char *serial, char *error);
 
+/* Why a board cannot be opened, and what to do. */
+const char *flash_pick_why(int status);
+
 #endif

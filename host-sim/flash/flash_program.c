@@ -2,7 +2,6 @@
  * followed. */
 #include "flash_program.h"
 
-#include "flash_image.h"
 #include "flash_scene.h"
 
 #include <stdio.h>
@@ -28,11 +27,30 @@ static bool is_in_flash(uint32_t address)
     return address >= FLASH_BASE && address - FLASH_BASE < FLASH_SPAN - 4 * ENTRIES_MOST;
 }
 
+/* Where the bytes are: on a board, or in an image. */
+struct source {
+    struct flash_boot *boot; /* NULL: in the image */
+    const struct flash_image *image;
+};
+
+/* What is behind an image is erased. */
+static int read_bytes(const struct source *source, uint32_t address, uint8_t *bytes, uint32_t n)
+{
+    if (source->boot != NULL) {
+        return flash_boot_read(source->boot, address, bytes, n);
+    }
+    const uint32_t size = source->image->sectors * FLASH_SECTOR;
+    for (uint32_t i = 0, at = address - FLASH_BASE; i < n; i++, at++) {
+        bytes[i] = at < size ? source->image->bytes[at] : 0xFF;
+    }
+    return 0;
+}
+
 /* Finds the header's table of entries; count is 0 where there is none. */
-static int find_table(struct flash_boot *boot, struct flash_program *program, uint32_t *first, uint32_t *count)
+static int find_table(const struct source *from, struct flash_program *program, uint32_t *first, uint32_t *count)
 {
     uint8_t head[HEAD_BYTES + 16];
-    const int status = flash_boot_read(boot, FLASH_BASE, head, sizeof head);
+    const int status = read_bytes(from, FLASH_BASE, head, sizeof head);
     *count = 0;
     program->is_erased = status == 0;
     for (uint32_t at = 0; status == 0 && at < HEAD_BYTES; at += 4) {
@@ -48,46 +66,58 @@ static int find_table(struct flash_boot *boot, struct flash_program *program, ui
 }
 
 /* What is at no address in flash is an empty text. */
-static int read_text(struct flash_boot *boot, uint32_t address, char text[TEXT_BYTES + 1])
+static int read_text(const struct source *from, uint32_t address, char text[TEXT_BYTES + 1])
 {
     memset(text, 0, TEXT_BYTES + 1);
-    const int status = is_in_flash(address) ? flash_boot_read(boot, address, (uint8_t *)text, TEXT_BYTES) : 0;
+    const int status = is_in_flash(address) ? read_bytes(from, address, (uint8_t *)text, TEXT_BYTES) : 0;
     for (uint32_t i = 0; text[i] != '\0'; i++) {
         text[i] = text[i] >= ' ' && text[i] <= '~' ? text[i] : '?';
     }
     return status;
 }
 
-static int take_entry(struct flash_boot *boot, struct flash_program *program, uint32_t id, uint32_t value)
+static int take_entry(const struct source *from, struct flash_program *program, uint32_t id, uint32_t value)
 {
     char text[TEXT_BYTES + 1], feature[TEXT_BYTES];
     int status = 0;
     if (id == BINARY_END) {
         program->end = value;
     } else if (id == PROGRAM_NAME) {
-        status = read_text(boot, value, text);
+        status = read_text(from, value, text);
         snprintf(program->name, sizeof program->name, "%.*s", FLASH_PROGRAM_NAME - 1, text);
     } else if (id == PROGRAM_FEATURE) {
-        status = read_text(boot, value, text);
+        status = read_text(from, value, text);
         snprintf(feature, sizeof feature, FLASH_SCENE_FEATURE, FLASH_BASE + FLASH_SCENE);
         program->takes_scene = program->takes_scene || strcmp(text, feature) == 0;
     }
     return status;
 }
 
-int flash_program_read(struct flash_boot *boot, struct flash_program *program)
+static int read_program(const struct source *from, struct flash_program *program)
 {
     uint32_t first = 0, count = 0;
     *program = (struct flash_program){.end = 0};
-    int status = find_table(boot, program, &first, &count);
+    int status = find_table(from, program, &first, &count);
     for (uint32_t i = 0; status == 0 && i < count; i++) {
         uint8_t bytes[12]; /* of an entry: type and tag, identity, value */
-        status = flash_boot_read(boot, first + 4 * i, bytes, 4);
+        status = read_bytes(from, first + 4 * i, bytes, 4);
         const uint32_t entry = word_at(bytes);
         if (status == 0 && is_in_flash(entry)) {
-            status = flash_boot_read(boot, entry, bytes, sizeof bytes);
-            status = status < 0 ? status : take_entry(boot, program, word_at(bytes + 4), word_at(bytes + 8));
+            status = read_bytes(from, entry, bytes, sizeof bytes);
+            status = status < 0 ? status : take_entry(from, program, word_at(bytes + 4), word_at(bytes + 8));
         }
     }
     return status;
+}
+
+int flash_program_read(struct flash_boot *boot, struct flash_program *program)
+{
+    const struct source from = {.boot = boot};
+    return read_program(&from, program);
+}
+
+void flash_program_find(const struct flash_image *image, struct flash_program *program)
+{
+    const struct source from = {.image = image};
+    read_program(&from, program);
 }

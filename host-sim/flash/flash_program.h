@@ -4,6 +4,7 @@
 #define FLASH_PROGRAM_H
 
 #include "flash_boot.h"
+#include "flash_image.h"
 
 #define FLASH_PROGRAM_NAME 40
 
@@ -16,5 +17,8 @@ struct flash_program {
 
 /* Reads which program is in the flash. Returns a status as in flash_boot.h. */
 int flash_program_read(struct flash_boot *boot, struct flash_program *program);
+
+/* Finds which program an image has. */
+void flash_program_find(const struct flash_image *image, struct flash_program *program);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BLOCK = 512, HEADER = 32, MAGIC_END_AT = BLOCK - 4 };
+enum { BLOCK = FLASH_UF2_BLOCK, MAGIC_END_AT = BLOCK - 4 };
 enum { NOT_FOR_FLASH = 0x1, FILE_CONTAINER = 0x1000, HAS_FAMILY = 0x2000 };
 
 #define MAGIC_0   0x0A324655u
@@ -71,7 +71,7 @@ static struct block read_block(const uint8_t *at, uint32_t index)
                           .number = u32(at + 20),
                           .total = u32(at + 24),
                           .family = u32(at + 28),
-                          .payload = at + HEADER};
+                          .payload = at + FLASH_UF2_HEADER};
 }
 
 static bool has_magic(const uint8_t *at)
@@ -188,20 +188,22 @@ static int take_blocks(struct flash_image *image, const struct uf2 *uf2, const u
     return status;
 }
 
-/* Files for an RP2350 begin with a block against its erratum E10, which is not of the image (picotool writes it). */
-static bool is_against_e10(const uint8_t *at)
+size_t flash_uf2_first(const uint8_t *bytes, size_t n)
 {
-    const struct block b = read_block(at, 0);
-    return has_magic(at) && (b.flags & HAS_FAMILY) != 0 && b.family == ABSOLUTE && b.address == LAST_PAGE &&
-           b.number == 0 && b.total == 2;
+    if (n < 2 * (size_t)BLOCK || !has_magic(bytes)) {
+        return 0;
+    }
+    const struct block b = read_block(bytes, 0);
+    const bool is_against_e10 =
+        (b.flags & HAS_FAMILY) != 0 && b.family == ABSOLUTE && b.address == LAST_PAGE && b.number == 0 && b.total == 2;
+    return is_against_e10 ? BLOCK : 0;
 }
 
 int flash_uf2_parse(struct flash_image *image, const uint8_t *bytes, size_t n, char *error)
 {
-    if (n >= 2 * (size_t)BLOCK && is_against_e10(bytes)) {
-        bytes += BLOCK;
-        n -= BLOCK;
-    }
+    const size_t first = flash_uf2_first(bytes, n);
+    bytes += first;
+    n -= first;
     struct uf2 uf2 = {.blocks = (uint32_t)(n / BLOCK)};
     int status = 0;
     uf2.numbers = calloc((size_t)uf2.blocks + 1, 1);

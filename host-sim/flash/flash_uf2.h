@@ -4,8 +4,14 @@
 
 #include "flash_image.h"
 
+enum { FLASH_UF2_BLOCK = 512, FLASH_UF2_HEADER = 32 }; /* bytes of a block, and of what is before its payload */
+
 /* Whether these n bytes look like blocks of UF2. */
 int flash_uf2_is(const uint8_t *bytes, size_t n);
+
+/* Returns where the image's first block is: files for an RP2350 begin with a block against its erratum E10, which is
+ * not of the image (picotool writes it). */
+size_t flash_uf2_first(const uint8_t *bytes, size_t n);
 
 /* Parses a UF2 file. 0, or a status with a line in error. */
 int flash_uf2_parse(struct flash_image *image, const uint8_t *bytes, size_t n, char *error);

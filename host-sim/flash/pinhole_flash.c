@@ -3,17 +3,20 @@
 #include "complain.h"
 #include "flash_file.h"
 #include "flash_job.h"
+#include "flash_join.h"
 #include "flash_pick.h"
 #include "flash_scene.h"
 #include "option_table.h"
 #include "progress.h"
 #include "signal_stop.h"
 
+#include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct request {
-    const char *path, *serial;
+    const char *path, *serial, *scene, *out;
     bool list, help, no_verify, no_reboot, at_scene, force;
 };
 
@@ -24,6 +27,10 @@ static const struct option_row rows[] = {
      "a serial number or BUS:ADDRESS", .at = offsetof(struct request, serial)},
     {"at-scene", NULL, "IMAGE is a binary scene (.phs): it goes to 0x10080000, and the image on the board shows it",
      NULL, .at = offsetof(struct request, at_scene)},
+    {"scene", "FILE.phs", "puts a binary scene into IMAGE, a UF2 file that shows one, at 0x10080000", "a binary scene",
+     .at = offsetof(struct request, scene)},
+    {"out", "FILE.uf2", "writes IMAGE with its --scene as a file for the drive of the boot loader; no board is needed",
+     "a file", .at = offsetof(struct request, out)},
     {"force", NULL, "writes a scene also where the board has no image that would show it", NULL,
      .at = offsetof(struct request, force)},
     {"list", NULL, "the boards that are in their boot loader: BUS:ADDRESS, serial number, chip", NULL,
@@ -56,6 +63,10 @@ static int read_arguments(struct request *r, int argc, char *argv[])
     if (r->force && !r->at_scene) {
         return complain_usage("--force goes with --at-scene; see --help");
     }
+    if ((r->scene != NULL && r->at_scene) || (r->out != NULL && r->scene == NULL)) {
+        return complain_usage(r->at_scene ? "--scene goes into an image, --at-scene behind one; see --help"
+                                          : "--out goes with --scene; see --help");
+    }
     if (r->help || r->list) {
         return r->list && r->path != NULL ? complain_usage("--list takes no image; see --help") : 0;
     }
@@ -74,17 +85,7 @@ static int complain_usb(int status)
 
 static int complain_board(const struct flash_board *board, int status)
 {
-    const char *why = "cannot be opened; plug it in again with BOOTSEL held";
-    if (status == HAL_EACCES) {
-        why =
-            "no permission; copy boards/udev/60-pinhole.rules to /etc/udev/rules.d, run udevadm control --reload, and "
-            "plug it in again";
-    } else if (status == HAL_EBUSY) {
-        why = "in use by another program; end that one";
-    } else if (status == HAL_ENODEV) {
-        why = "unplugged; plug it in again with BOOTSEL held";
-    }
-    return complain("%s %u:%u: %s", flash_chip_name(board->chip), board->bus, board->address, why);
+    return complain("%s %u:%u: %s", flash_chip_name(board->chip), board->bus, board->address, flash_pick_why(status));
 }
 
 static int list(const struct flash_board *boards, int count)
@@ -134,13 +135,53 @@ static int write_image(const struct request *r, const struct flash_image *image,
     return 0;
 }
 
+/* ---- image and scene ---------------------------------------------------------------------------- */
+
+static int save(const char *path, const uint8_t *bytes, size_t n)
+{
+    FILE *const file = fopen(path, "wb");
+    const bool is_written = file != NULL && fwrite(bytes, 1, n, file) == n;
+    if ((file != NULL && fclose(file) != 0) || !is_written) {
+        return complain("%s: cannot be written: %s", path, strerror(errno));
+    }
+    printf("%s: %zu bytes; copy it onto the drive of the boot loader, RPI-RP2 or RP2350\n", path, n);
+    return 0;
+}
+
+/* Puts the scene into the image's file; --out writes that, and else it is what the board gets. */
+static int join(const struct request *r, struct flash_image *image, char *error)
+{
+    size_t n = 0, scene_n = 0, joined_n = 0;
+    uint8_t *const uf2 = flash_file_load(r->path, &n, error);
+    uint8_t *const scene = uf2 != NULL ? flash_file_load(r->scene, &scene_n, error) : NULL;
+    uint8_t *const joined = scene != NULL ? flash_join(uf2, n, scene, scene_n, FLASH_SPAN, &joined_n, error) : NULL;
+    int status = PH_ERR_INVAL;
+    if (uf2 != NULL && scene == NULL) {
+        status = complain("%s: %s", r->scene, error);
+    } else if (joined != NULL) {
+        status = r->out != NULL ? save(r->out, joined, joined_n) : flash_file_parse(image, joined, joined_n, error);
+    }
+    free(uf2);
+    free(scene);
+    free(joined);
+    return status;
+}
+
+static int read_image(const struct request *r, struct flash_image *image, char *error)
+{
+    return r->scene != NULL ? join(r, image, error)
+           : r->at_scene    ? flash_scene_read(image, r->path, error)
+                            : flash_file_read(image, r->path, error);
+}
+
 static int run(const struct request *r)
 {
     struct flash_board boards[FLASH_BOARDS_MAX];
     struct flash_image image = {.sectors = 0};
     char error[FLASH_ERROR_SIZE];
-    if (r->path != NULL && (r->at_scene ? flash_scene_read : flash_file_read)(&image, r->path, error) != 0) {
-        return complain("%s: %s", r->path, error);
+    const int read = r->path != NULL ? read_image(r, &image, error) : 0;
+    if (read != 0 || r->out != NULL) {
+        return read == 0 || read == COMPLAINED ? read : complain("%s: %s", r->path, error);
     }
     const int count = flash_usb_list(boards);
     const int picked = count < 0 || r->list ? -1 : flash_pick(boards, count, image.chip, r->serial, error);
