@@ -1,6 +1,7 @@
 # The simulator and the asset tool in a browser. The Makefile includes this file.
 #
 #   make page                      build/page/index.html: one file, which needs no server and asks for nothing
+#   make page-kits [BOARD=x]       build/page/kits/: the images that it saves or flashes, of all boards or of one
 #
 # Another make compiles their sources to wasm32, in a build folder of its own, into two modules: page.wasm draws, and
 # model.wasm reads models and writes scenes.
@@ -8,20 +9,25 @@ PAGE := host-sim/page
 PAGE_HOST := $(wildcard host-sim/controllers/sim*.c host-sim/controllers/*_table.c) \
              $(patsubst %,host-sim/common/%.c,complain json_text nearest option_text) $(PAGE)/progress.c host-sim/sim/sim_list.c host-sim/sim/sim_player.c \
              $(filter-out %/model_open.c %/model_folder.c,$(wildcard host-sim/model/*.c host-sim/model/formats/*.c host-sim/model/gltf/*.c)) \
-             $(filter-out %/pinhole_asset.c %/asset_check.c %/asset_options.c,$(wildcard host-sim/asset/*.c)) host-sim/picture/picture_in.c
+             $(filter-out %/pinhole_asset.c %/asset_check.c %/asset_options.c,$(wildcard host-sim/asset/*.c)) host-sim/picture/picture_in.c \
+             $(filter-out %/pinhole_flash.c,$(wildcard host-sim/flash/*.c))
 PAGE_CC := clang --target=wasm32-wasi -fvisibility=hidden -D_WASI_EMULATED_SIGNAL
 PAGE_NEEDS := clang lld wasi-libc libclang-rt-dev-wasm32 libstb-dev
 
-.PHONY: page FORCE
+.PHONY: page page-kits FORCE
 page: $(B)/page/index.html ## simulator and asset tool as one HTML file for any browser: build/page/index.html
 
+page-kits: page ## [BOARD=x]: the images that the page saves and flashes, for boards with an RP2040 or RP2350
+	+$(Q)B='$(B)' MAKEFLAGS= $(PAGE)/kits.sh '$(B)/page/kits' $(or $(BOARD),$(MCU_BOARDS))
+
 # The scripts in the order in which they stand in the page, and in its worker.
-PAGE_SCRIPTS := $(patsubst %,$(PAGE)/page_%.mjs,wasi core address buttons glass player facts kit files reader boards model tabs main)
+PAGE_SCRIPTS := $(patsubst %,$(PAGE)/page_%.mjs,wasi core address buttons glass player facts files usb flash send kit reader boards model tabs main)
 PAGE_WORKER := $(patsubst %,$(PAGE)/page_%.mjs,wasi worker)
 PAGE_WASM := $(B)/wasm/page.wasm $(B)/wasm/model.wasm
-$(B)/page/index.html: $(PAGE_WASM) $(addprefix $(PAGE)/page.,sh html css) $(PAGE_SCRIPTS) $(PAGE_WORKER)
+$(B)/page/index.html: $(PAGE_WASM) $(addprefix $(PAGE)/page.,sh html css) $(PAGE)/kits.sh $(PAGE_SCRIPTS) $(PAGE_WORKER)
 	@mkdir -p $(@D)
-	$(Q)$(PAGE)/page.sh $(PAGE)/page.html style=$(PAGE)/page.css wasm='$(B)/wasm/page.wasm' model_wasm='$(B)/wasm/model.wasm' \
+	$(Q)$(PAGE)/kits.sh list >$(@D)/kits.json
+	$(Q)$(PAGE)/page.sh $(PAGE)/page.html kits='$(@D)/kits.json' style=$(PAGE)/page.css wasm='$(B)/wasm/page.wasm' model_wasm='$(B)/wasm/model.wasm' \
 	    modules='$(PAGE_SCRIPTS)' worker='$(PAGE_WORKER)' >$@.part && mv $@.part $@
 	@echo '$@: '$$(wc -c <$@) bytes
 
@@ -32,7 +38,8 @@ $(PAGE_WASM) &: FORCE
 	    '$(B)/wasm/page.wasm' '$(B)/wasm/model.wasm'
 
 page_link = $(SAY) LD $@; $(CC) $(CFLAGS) -mexec-model=reactor -Wl,--export-dynamic,--strip-all,-z,stack-size=$(1) $(filter %.o %.a,$^) -o $@
-$(B)/page.wasm: $(B)/$(PAGE)/page.o $(LIBS)
+PAGE_SIM_O := $(B)/$(PAGE)/page.o $(B)/$(PAGE)/page_flash.o
+$(B)/page.wasm: $(PAGE_SIM_O) $(LIBS)
 	$(Q)$(call page_link,262144)
 
 # A hostile model may ask for memory: 1.5 GiB are the most that the module gets.
@@ -40,6 +47,6 @@ PAGE_MODEL_O := $(call objects,$(wildcard $(PAGE)/model/*.c))
 $(B)/model.wasm: $(PAGE_MODEL_O) $(LIBS)
 	$(Q)$(call page_link,4194304) -Wl,--max-memory=1610612736
 
-$(B)/$(PAGE)/page.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers)
+$(PAGE_SIM_O): INC = $(INC_HOST) $(call rooms,host-sim,sim controllers flash)
 $(B)/$(PAGE)/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model model/gltf asset) -isystem /usr/include/stb
--include $(B)/$(PAGE)/page.d $(PAGE_MODEL_O:.o=.d)
+-include $(PAGE_SIM_O:.o=.d) $(PAGE_MODEL_O:.o=.d)

@@ -1,6 +1,7 @@
 // address: what the page shows, in its address: #board=NAME&demo=NAME&view=NAME&depth=NAME&frame=N, or size=WxH without
 // a kit. The names are those of the options of pinhole-sim. Where the camera was moved, moved=TURN,UP,AWAY says how far
-// (core.moved()).
+// (core.moved()). The tab Model is #tab=model&board=NAME, with what is not as usual under the names of pinhole-asset's options:
+// up, filter, texture-size, turntable, two-sided, max-triangles. A model itself is in no address.
 
 const FRAMES = 1e9; // numbers of frames are below, as in pinhole-sim
 const SIDE = 1024; // pixels of a glass at most
@@ -71,4 +72,40 @@ export function writeAddress(state, core) {
     }
     words.set('frame', state.frame);
     return `#${words}`.replaceAll('%2C', ',');
+}
+
+export const tabOf = (hash) => (new URLSearchParams(hash.replace(/^#/, '')).get('tab') === 'model' ? 'model' : 'kit');
+
+const usual = (input) => (input.type === 'checkbox' ? input.defaultChecked : Math.max(0, [...input.options].findIndex((option) => option.defaultSelected)));
+
+// Sets inputs, an object of selects and checkboxes by the names in the address. Returns { board, triangles, wrong }: its index; what
+// max-triangles says ('fit' where it is not named, 'all', or a number); lines about what the address has wrong.
+export function readModelAddress(hash, boards, inputs) {
+    const words = new URLSearchParams(hash.replace(/^#/, '')), wrong = [];
+    for (const [name, input] of Object.entries(inputs)) {
+        if (input.type === 'checkbox') {
+            input.checked = words.has(name) || input.defaultChecked;
+        } else {
+            const texts = [...input.options].map((option) => option.text), text = words.get(name) ?? texts[usual(input)];
+            input.selectedIndex = indexOf(texts, text, texts[usual(input)], name, wrong);
+        }
+    }
+    const triangles = words.get('max-triangles') ?? 'fit', good = /^(fit|all|[1-9]\d{0,8})$/.test(triangles);
+    if (!good) {
+        wrong.push(`--max-triangles '${triangles}': a whole number, all or fit`);
+    }
+    return { board: indexOf(boards, words.get('board'), 'pico-display-2', 'board', wrong), triangles: good ? triangles : 'fit', wrong };
+}
+
+export function writeModelAddress(board, inputs, triangles) {
+    const words = new URLSearchParams({ tab: 'model', board: board.name });
+    for (const [name, input] of Object.entries(inputs)) {
+        if (input.type === 'checkbox' ? input.checked !== usual(input) : input.selectedIndex !== usual(input)) {
+            words.set(name, input.type === 'checkbox' ? 'on' : input.options[input.selectedIndex].text);
+        }
+    }
+    if (triangles !== 'fit') {
+        words.set('max-triangles', triangles);
+    }
+    return `#${words}`;
 }

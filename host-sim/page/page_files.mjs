@@ -2,18 +2,46 @@
 
 const MOST = 2 ** 28; // bytes of all files: each of them is in memory twice
 
-// Lists the files of what was dropped, with those of its folders.
-async function listDropped(items) {
-    const found = [], open = [...items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
-    while (open.length > 0) {
-        const entry = open.shift();
-        if (entry.isFile) {
-            found.push([entry.fullPath.slice(1), await new Promise((done, failed) => entry.file(done, failed))]);
-            continue;
+// Lists a folder's files, as [path, file]. A page that was opened from a file gets no file of a FileSystemEntry, but one of a
+// handle; browsers without handles have entries.
+async function listHandle(folder, path, found) {
+    for await (const item of folder.values()) {
+        if (item.kind === 'directory') {
+            await listHandle(item, `${path}${item.name}/`, found);
+        } else {
+            found.push([path + item.name, await item.getFile()]);
         }
-        const reader = entry.createReader();
-        for (let some = [null]; some.length > 0; open.push(...some)) { // it gives a part of them at a time
-            some = await new Promise((done, failed) => reader.readEntries(done, failed));
+    }
+}
+
+async function listEntry(folder, path, found) {
+    const reader = folder.createReader();
+    for (let some = [null]; some.length > 0;) { // it gives a part of them at a time
+        some = await new Promise((done, failed) => reader.readEntries(done, failed));
+        for (const item of some) {
+            if (item.isDirectory) {
+                await listEntry(item, `${path}${item.name}/`, found);
+            } else {
+                found.push([path + item.name, await new Promise((done, failed) => item.file(done, failed))]);
+            }
+        }
+    }
+}
+
+// Lists the files of what was dropped, with those of its folders. The items are there only until the first await.
+async function listDropped(items) {
+    const found = [];
+    const given = [...items].filter(({ kind }) => kind === 'file').map((item) => {
+        const entry = item.webkitGetAsEntry(), is_folder = entry?.isDirectory;
+        return { file: item.getAsFile(), entry: is_folder ? entry : null, handle: is_folder ? item.getAsFileSystemHandle?.() : null };
+    });
+    for (const { file, entry, handle } of given) {
+        if (entry === null) {
+            found.push([file.name, file]);
+        } else if (handle !== undefined) {
+            await listHandle(await handle, `${entry.name}/`, found);
+        } else {
+            await listEntry(entry, `${entry.name}/`, found);
         }
     }
     return found;

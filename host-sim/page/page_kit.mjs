@@ -1,11 +1,12 @@
 // kit: the tab in which a demo runs on a kit.
-import { readAddress, writeAddress } from './page_address.mjs';
+import { readAddress, tabOf, writeAddress } from './page_address.mjs';
 import { watchButtons } from './page_buttons.mjs';
 import { at, fill, showFacts } from './page_facts.mjs';
 import { makeGlass } from './page_glass.mjs';
 import { makePlayer } from './page_player.mjs';
+import { openSend } from './page_send.mjs';
 
-export function openKit(core) {
+export function openKit(core, flasher) {
     let state = null, shown = -1, rate = 0, opened = false; // shown: the frame on the glass
     const say = (text, wrong = false) => {
         at('said').textContent = text;
@@ -14,7 +15,9 @@ export function openKit(core) {
     const title = () => state.board < 0 ? `no kit: a glass of ${state.width}x${state.height}` : core.boards[state.board].title;
     const remember = () => {
         state.moved = opened ? core.moved() : state.moved;
-        history.replaceState(null, '', writeAddress(state, core));
+        if (!at('kit').hidden) {
+            history.replaceState(null, '', writeAddress(state, core));
+        }
     };
     const showChoices = () => {
         const demo = core.demos[state.demo];
@@ -27,6 +30,7 @@ export function openKit(core) {
         at('view').value = state.view;
         at('title').textContent = title();
         glass.describe(`${demo.name} on ${title()}`);
+        updateSend();
     };
 
     // Draws the frame of the state, with the buttons that are pressed. Returns its time on the bus, or -1.
@@ -126,8 +130,14 @@ export function openKit(core) {
             () => say('the link is in the address bar'));
     });
     at('kit').addEventListener('leave', () => player.isPlaying() && player.pause());
+    const updateSend = openSend(at('kit-send'), {
+        board: () => core.boards[state?.board]?.name,
+        scene: () => ({ name: 'demos', bytes: new Uint8Array() }), // the image alone
+        flasher,
+    });
+    at('kit').addEventListener('enter', remember);
     const follow = () => {
-        const { wrong, frame, ...kit } = readAddress(location.hash, core);
+        const { wrong, frame, ...kit } = readAddress(tabOf(location.hash) === 'kit' ? location.hash : '', core);
         state = { ...kit, frame: Math.max(0, frame) };
         open();
         if (wrong.length > 0) {
@@ -135,8 +145,8 @@ export function openKit(core) {
         }
         return frame;
     };
-    window.addEventListener('hashchange', follow);
-    if (follow() < 0 && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
+    window.addEventListener('hashchange', () => tabOf(location.hash) === 'kit' && follow());
+    if (follow() < 0 && !at('kit').hidden && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
         player.play();
     }
 }

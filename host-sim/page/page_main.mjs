@@ -1,5 +1,7 @@
 // main: starts the modules that stand in the page, and opens the tabs.
+import { tabOf } from './page_address.mjs';
 import { startCore } from './page_core.mjs';
+import { startFlash } from './page_flash.mjs';
 import { openKit } from './page_kit.mjs';
 import { openModelTab } from './page_model.mjs';
 import { showTabs } from './page_tabs.mjs';
@@ -9,9 +11,14 @@ const moduleOf = (id) => Uint8Array.from(atob(document.getElementById(id).textCo
 try {
     const wasm = moduleOf('wasm');
     const core = await startCore(wasm);
-    openKit(core);
-    openModelTab(core, () => startCore(wasm), () => moduleOf('model_wasm'));
-    showTabs(document.getElementById('tabs'), [{ id: 'kit', title: 'Kit' }, { id: 'model', title: 'Model' }]);
+    document.getElementById('kit').hidden = tabOf(location.hash) !== 'kit';
+    const flasher = () => startFlash(wasm);
+    openKit(core, flasher);
+    openModelTab(core, () => startCore(wasm), () => moduleOf('model_wasm'), flasher);
+    const show = showTabs(document.getElementById('tabs'), [{ id: 'kit', title: 'Kit' }, { id: 'model', title: 'Model' }]);
+    const follow = () => show(tabOf(location.hash));
+    window.addEventListener('hashchange', follow);
+    follow();
 } catch (error) {
     const said = document.getElementById('said');
     said.textContent = `the simulator does not start: ${error.message}`;

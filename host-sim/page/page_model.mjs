@@ -1,10 +1,12 @@
 // model: the tab in which a model of the user becomes a scene, and is drawn as a kit draws it.
+import { readModelAddress, tabOf, writeModelAddress } from './page_address.mjs';
 import { showBoards } from './page_boards.mjs';
 import { at, count, fill, showFacts } from './page_facts.mjs';
 import { saveFile, watchFiles } from './page_files.mjs';
 import { makeGlass } from './page_glass.mjs';
 import { makePlayer } from './page_player.mjs';
 import { makeReader } from './page_reader.mjs';
+import { openSend } from './page_send.mjs';
 
 const ENDINGS = /\.(gltf|glb|obj|stl|ply)$/i;
 const ALL = 0xFFFFFFFF, LEAST = 16; // triangles
@@ -15,10 +17,11 @@ const FIT = 0;
 const placeOf = (triangles, most) => (most <= LEAST ? STEPS : Math.round(STEPS * Math.log(triangles / LEAST) / Math.log(most / LEAST)));
 const trianglesAt = (place, most) => (place >= STEPS ? most : Math.round(LEAST * (most / LEAST) ** (place / STEPS)));
 
-// core has the lists; startAnother() starts a module of its own for this tab, and readerModule() is that of the worker.
-export function openModelTab({ boards }, startAnother, readerModule) {
+// core has the lists; startAnother() starts a module of its own for this tab, readerModule() is that of the worker, and
+// flasher() is for openSend().
+export function openModelTab({ boards }, startAnother, readerModule, flasher) {
     let core = null, files = null, path = '', made = null, wanted = null, frame = 0, rate = 0;
-    let board = Math.max(0, boards.findIndex(({ name }) => name === 'pico-display-2'));
+    let board = 0, first = FIT; // triangles that the next model is made of
     let fit = null; // triangles that the board has room for, of the model as it is read now
     const say = (text, wrong = false) => {
         at('model-said').textContent = text;
@@ -27,6 +30,15 @@ export function openModelTab({ boards }, startAnother, readerModule) {
     const busy = (is) => {
         at('model-busy').hidden = !is;
         at('model').classList.toggle('busy', is);
+        updateSend();
+    };
+    const inputs = { up: at('model-up'), filter: at('model-filter'), 'texture-size': at('model-texture'),
+        turntable: at('model-turntable'), 'two-sided': at('model-two-sided') };
+    const remember = () => {
+        if (!at('model').hidden) {
+            const triangles = made?.triangles ?? first;
+            history.replaceState(null, '', writeModelAddress(boards[board], inputs, triangles === FIT ? 'fit' : triangles === ALL ? 'all' : triangles));
+        }
     };
     const reader = makeReader(readerModule, (what, share) => {
         at('model-what').textContent = what;
@@ -101,6 +113,7 @@ export function openModelTab({ boards }, startAnother, readerModule) {
         glass.describe(`${made.report.name} on ${title}`);
         frame = 0;
         draw();
+        updateSend();
         at('model-save').disabled = at('model-save-c').disabled = at('model-save-png').disabled = at('model-play').disabled = false;
     };
     // Makes the scene anew: `triangles` of it, FIT or ALL.
@@ -121,10 +134,11 @@ export function openModelTab({ boards }, startAnother, readerModule) {
             say(answer.wrong, true);
             return;
         }
-        made = { ...answer, clip, triangles };
+        made = { ...answer, board: goal.board, clip, triangles };
         fit = triangles === FIT ? answer.report.triangles : fit;
         showReport();
         showScene();
+        remember();
         if (wanted !== null) {
             await make(wanted);
         }
@@ -146,13 +160,20 @@ export function openModelTab({ boards }, startAnother, readerModule) {
             say(answer.wrong, true);
             return;
         }
-        await make(FIT);
+        await make(first);
+        first = FIT;
     };
     const takeBoard = (i) => {
         board = i;
         at('model-board').value = i;
+        remember();
         make(FIT);
     };
+    const updateSend = openSend(at('model-send'), {
+        board: () => boards[board].name,
+        scene: () => (reader.isBusy() || made?.board !== board ? null : { name: made.report.name, bytes: made.scene }),
+        flasher,
+    });
     watchFiles(at('model'), [at('model-files'), at('model-folder')], (given) => {
         const models = [...given.keys()].filter((name) => ENDINGS.test(name));
         if (models.length === 0) {
@@ -166,7 +187,18 @@ export function openModelTab({ boards }, startAnother, readerModule) {
     }, (text) => say(text, true));
 
     fill(at('model-board'), boards.map(({ name, width, height }) => `${name}, ${width}x${height}`));
-    at('model-board').value = board;
+    const follow = () => {
+        const asked = readModelAddress(tabOf(location.hash) === 'model' ? location.hash : '', boards, inputs);
+        board = asked.board;
+        at('model-board').value = board;
+        first = asked.triangles === 'fit' ? FIT : asked.triangles === 'all' ? ALL : +asked.triangles;
+        open().then(() => asked.wrong.length > 0 && say(asked.wrong.join('; '), true));
+    };
+    window.addEventListener('hashchange', () => tabOf(location.hash) === 'model' && follow());
+    at('model').addEventListener('enter', remember);
+    for (const input of Object.values(inputs)) {
+        input.addEventListener('change', remember);
+    }
     at('model-board').addEventListener('change', () => takeBoard(+at('model-board').value));
     for (const id of ['model-up', 'model-filter', 'model-two-sided']) {
         at(id).addEventListener('change', open);
@@ -189,6 +221,7 @@ export function openModelTab({ boards }, startAnother, readerModule) {
         say('cancelled: give the model again');
     });
     at('model-play').addEventListener('click', player.toggle);
+    follow();
     at('model').addEventListener('leave', () => player.isPlaying() && player.pause());
     at('model-save').addEventListener('click', () => saveFile(`${made.report.name}.phs`, [made.scene], 'application/octet-stream'));
     at('model-save-c').addEventListener('click', async () => {

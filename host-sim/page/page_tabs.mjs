@@ -1,4 +1,5 @@
-// tabs: one part of the page is shown at a time, by buttons that are there from two parts on.
+// tabs: one part of the page is shown at a time, by buttons that are there from two parts on. A part hears the event `leave`
+// before it is hidden, and `enter` once it is shown. Returns show(id).
 
 export function showTabs(nav, tabs) {
     const sections = tabs.map((tab) => document.getElementById(tab.id));
@@ -10,14 +11,18 @@ export function showTabs(nav, tabs) {
         button.setAttribute('aria-controls', tab.id);
         return button;
     });
-    const take = (chosen) => buttons.forEach((button, i) => {
-        if (i !== chosen && !sections[i].hidden) {
-            sections[i].dispatchEvent(new Event('leave'));
-        }
-        button.setAttribute('aria-selected', i === chosen);
-        button.tabIndex = i === chosen ? 0 : -1;
-        sections[i].hidden = i !== chosen;
-    });
+    const take = (chosen) => {
+        buttons.forEach((button, i) => {
+            if (i !== chosen && !sections[i].hidden) {
+                sections[i].dispatchEvent(new Event('leave'));
+            }
+            button.setAttribute('aria-selected', i === chosen);
+            button.tabIndex = i === chosen ? 0 : -1;
+            sections[i].hidden = i !== chosen;
+        });
+        sections[chosen].dispatchEvent(new Event('enter'));
+    };
+    const show = (id) => take(tabs.findIndex((tab) => tab.id === id));
     buttons.forEach((button, i) => {
         button.addEventListener('click', () => take(i));
         button.addEventListener('keydown', (event) => {
@@ -30,5 +35,5 @@ export function showTabs(nav, tabs) {
     });
     nav.replaceChildren(...buttons);
     nav.hidden = tabs.length < 2;
-    take(0);
+    return show;
 }

@@ -5,6 +5,7 @@
 # shellcheck disable=SC2015,SC2154 # `A && B || { echo; return 1; }` says why it fails; usb_device, guest_out, images, cut: others'
 . "$(dirname "${BASH_SOURCE[0]}")/virtual_board.sh"
 guest_wrap=${guest_wrap-} # valgrind, say
+guest_program=${guest_program-$B/pinhole-flash}
 
 # ---- on the host, before -------------------------------------------------------------------------
 
@@ -30,7 +31,7 @@ make_rp2350_image() { # directory, name, bytes
 
 run() { # name, argument...
     # shellcheck disable=SC2086 # words of guest_wrap
-    timeout "${guest_limit:-1000}" $guest_wrap "$B/pinhole-flash" "${@:2}" >"$GUEST/$1.out" 2>"$GUEST/$1.err"
+    timeout "${guest_limit:-1000}" $guest_wrap $guest_program "${@:2}" >"$GUEST/$1.out" 2>"$GUEST/$1.err"
     echo $? >"$GUEST/$1.status"
 }
 

@@ -1,16 +1,17 @@
-// Usage: node browser.mjs NODE_MODULES PAGE.html EXPECTED [FOLDER]
-// Opens the page in Debian's Chromium and compares what its canvas shows: EXPECTED has lines `board demo frame crc32`. With
-// a folder the page's use is tried, too (use.mjs, use_model.mjs): FOLDER/keys.crc and size.crc have what pinhole-sim draws with --keys and --size, and the
-// pictures that are saved go there. Speaks TAP.
+// Usage: node browser.mjs NODE_MODULES PAGE.html EXPECTED [FOLDER USE...]
+// Opens the page in Debian's Chromium and compares what its canvas shows: EXPECTED has lines `board demo frame crc32`. Then
+// the page's use is tried: each USE is a name of `uses` below, and FOLDER has what it needs. Speaks TAP.
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { use } from './use.mjs';
-import { useModel } from './use_model.mjs';
+import { use, useMore } from './use.mjs';
+import { useModel, useModelMore } from './use_model.mjs';
+import { useSend } from './use_send.mjs';
 
-const [modules, page_file, expected, folder] = process.argv.slice(2);
+const uses = { kit: use, looks: useMore, model: useModel, models: useModelMore, send: useSend, host };
+const [modules, page_file, expected, folder, ...wanted] = process.argv.slice(2);
 const { chromium } = createRequire(resolve(modules) + '/')('playwright-core');
 const address = pathToFileURL(resolve(page_file)).href;
 const wrong = [];
@@ -24,20 +25,25 @@ function check(name, faults) {
 }
 
 // A page whose requests are all refused, but for its own file, and kept; as are messages on its console.
-async function open(browser, options = {}, at = address) {
+// before: a function that runs in it first, and its argument.
+async function open(browser, options = {}, at = address, before = null) {
     const context = await browser.newContext({ viewport: { width: 1000, height: 800 }, ...options });
     await context.route('**', (route) => {
         const url = route.request().url().replace(/#.*/, '');
-        if (url !== at && !url.startsWith('blob:') && !url.startsWith('data:')) {
+        const is_kit = url.startsWith(at.replace(/[^/]*$/, 'kits/')); // images, beside the page
+        if (url !== at && !is_kit && !url.startsWith('blob:') && !url.startsWith('data:')) {
             wrong.push(`asks for ${url.slice(0, 200)}`);
             return route.abort();
         }
         return route.continue();
     });
     const page = await context.newPage();
-    page.on('console', (message) => wrong.push(`console: ${message.text()}`));
+    page.on('console', (message) => message.text().includes('ERR_FILE_NOT_FOUND') || wrong.push(`console: ${message.text()}`)); // of an image
     page.on('pageerror', (error) => wrong.push(`error: ${error.message}`));
     page.on('websocket', (socket) => wrong.push(`asks for ${socket.url()}`));
+    if (before !== null) {
+        await page.addInitScript(...before);
+    }
     await page.goto(`${at}#board=pico-display&demo=cube&frame=0`);
     await page.waitForSelector('dd[data-name=crc32]');
     await page.evaluate(tools);
@@ -90,10 +96,27 @@ async function compare(page, board, demo, rows) {
     return faults;
 }
 
+// The page on a host of static files.
+async function host({ browser }) {
+    const server = createServer((request, answer) => {
+        if (request.url !== '/kit/') {
+            wrong.push(`asks the host for ${request.url}`);
+        }
+        answer.setHeader('Content-Type', 'text/html');
+        answer.end(readFileSync(page_file));
+    });
+    await new Promise((done) => server.listen(0, '127.0.0.1', done));
+    const page = await open(browser, {}, `http://127.0.0.1:${server.address().port}/kit/`);
+    const [, told, painted] = await page.evaluate(() => window.seen());
+    check('a host of static files serves it', told === painted ? [] : ['another picture']);
+    server.close();
+    server.closeAllConnections();
+}
+
 const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox'] });
 try {
     const page = await open(browser), kits = new Map();
-    for (const line of readFileSync(expected, 'utf8').trim().split('\n')) {
+    for (const line of readFileSync(expected, 'utf8').trim().split('\n').filter((row) => row !== '')) {
         const [board, demo, frame, crc] = line.split(' ');
         kits.set(board, kits.get(board) ?? new Map());
         kits.get(board).set(demo, [...(kits.get(board).get(demo) ?? []), { frame, crc }]);
@@ -105,22 +128,8 @@ try {
         }
         check(`${board}: the page draws ${demos.size} demos as pinhole-sim does`, faults);
     }
-    if (folder !== undefined) {
-        await use({ browser, open, check, folder });
-        await useModel({ browser, open, check, folder });
-        const server = createServer((request, answer) => {
-            if (request.url !== '/kit/') {
-                wrong.push(`asks the host for ${request.url}`);
-            }
-            answer.setHeader('Content-Type', 'text/html');
-            answer.end(readFileSync(page_file));
-        });
-        await new Promise((done) => server.listen(0, '127.0.0.1', done));
-        const hosted = await open(browser, {}, `http://127.0.0.1:${server.address().port}/kit/`);
-        const [, told, painted] = await hosted.evaluate(() => window.seen());
-        check('a host of static files serves it', told === painted ? [] : ['another picture']);
-        server.close();
-        server.closeAllConnections();
+    for (const name of wanted) {
+        await uses[name]({ browser, open, check, folder });
     }
     check('no request leaves the page, and its console stays empty', wrong);
 } catch (error) {

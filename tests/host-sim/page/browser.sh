@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Usage: tests/host-sim/page/browser.sh FOLDER|'' BOARD...
-# Shows the page in Chromium (browser.mjs) and compares it with build/pinhole-sim on these boards; with a folder it tries how
-# the page is used, too. --lacks: says what is not here for that, and fails then. npm gets playwright-core into build/page-test.
+# Usage: tests/host-sim/page/browser.sh FOLDER|'' 'USE...' BOARD...
+# Shows the page in Chromium (browser.mjs) and compares it with build/pinhole-sim on these boards; it tries
+# these uses of the page, with what FOLDER has for them, too. --lacks: says what is not here for that, and fails then. npm gets playwright-core into build/page-test.
 set -u
 cd "$(dirname "$0")/../../.." || exit 1
 B=${B:-build}
@@ -18,7 +18,7 @@ trap 'rm -f "$expected"' EXIT
 demos=$("$simulator" --list | sed -n 's/^demo  *\([^ ]*\)  *\([0-9]*\) frame.*/\1 \2/p')
 
 # For each board and demo the frames 0 to 3 and one from the middle: `board demo frame crc32`.
-for board in "${@:2}"; do
+for board in "${@:3}"; do
     while read -r demo frames; do
         middle=$((frames / 2 > 3 ? frames / 2 : 4))
         for start in 0 $middle; do
@@ -27,4 +27,5 @@ for board in "${@:2}"; do
         done
     done <<<"$demos"
 done >"$expected"
-node tests/host-sim/page/browser.mjs "$dir/node_modules" "$B/page/index.html" "$expected" ${1:+"$1"}
+# shellcheck disable=SC2086 # words
+node tests/host-sim/page/browser.mjs "$dir/node_modules" "$B/page/index.html" "$expected" "$1" $2

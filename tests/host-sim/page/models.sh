@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Usage: tests/host-sim/page/models.sh FOLDER
+# Usage: tests/host-sim/page/models.sh FOLDER [BOARD...]
 # Writes the models that use_model.mjs gives to the page, and what pinhole-asset and pinhole-sim make of them.
 set -eu
 cd "$(dirname "$0")/../../.."
@@ -50,3 +50,14 @@ for kind in phs c; do
     "$B/pinhole-asset" "$to/ring.obj" --max-triangles "$triangles" -o "$to/ring.$kind" 2>/dev/null
 done
 "$B/pinhole-asset" "$to/ring.obj" --max-triangles "$triangles" --report | sed -n 's/^triangles  \([0-9]*\) of.*/\1/p' >"$to/ring.triangles"
+
+# For the long test: a folder, a model that takes long, an empty file that is made large, and made.glb on these boards.
+shift
+[ $# -gt 0 ] || exit 0
+mkdir -p "$to/ring" && cp "$to"/ring.obj "$to"/ring.mtl "$to"/ring.png "$to/ring/"
+for ((i = 0; i < 200; i++)); do cat "$to/ring.obj"; done >"$to/large.obj"
+: >"$to/huge.stl"
+for board; do
+    "$B/pinhole-asset" "$to/made.glb" --board "$board" --max-triangles fit -o "$to/board.phs" 2>/dev/null
+    echo "$board $("$B/pinhole-sim" --model "$to/board.phs" --board "$board" --crc | sed 's/.* //')"
+done >"$to/boards"

@@ -135,7 +135,10 @@ async function looks({ browser, open, check, folder }) {
 export async function use(test) {
     await keyboard(test);
     await pointer(test);
-    await fingers(test);
     await choices(test);
+}
+
+export async function useMore(test) {
+    await fingers(test);
     await looks(test);
 }

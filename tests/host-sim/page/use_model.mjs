@@ -1,10 +1,11 @@
 // use_model: tries the tab Model as its users do; see browser.mjs. FOLDER has models, and scenes that pinhole-asset made of
-// them: made.glb and fit.phs, ring.obj with its files and ring.phs, ring.triangles, ring.c; scene.crc is what pinhole-sim draws.
-import { readFileSync, writeFileSync } from 'node:fs';
+// them: made.glb and fit.phs, ring.obj with its files (in the folder ring, too) and ring.phs, ring.triangles, ring.c, large.obj, boards; scene.crc is what pinhole-sim draws.
+import { readFileSync, truncateSync, writeFileSync } from 'node:fs';
 
 const same = (is, must, what) => (String(is) === String(must) ? [] : [`${what}: ${is}, not ${must}`]);
 
-export async function useModel({ browser, open, check, folder }) {
+// A page on its tab Model, and what is done with it.
+async function begin({ browser, open, folder }, hash) {
     const page = await open(browser);
     const text = (id) => page.evaluate((from) => document.getElementById(from).textContent, id);
     const ready = () => page.waitForFunction(() => document.getElementById('model-busy').hidden);
@@ -19,18 +20,126 @@ export async function useModel({ browser, open, check, folder }) {
         return download.suggestedFilename();
     };
     const equal = (one, other) => (readFileSync(`${folder}/${one}`).equals(readFileSync(`${folder}/${other}`)) ? [] : [`${one} and ${other} differ`]);
+    const crc = () => page.evaluate(() => document.querySelector('#model-facts dd').textContent);
+    if (hash !== undefined) {
+        await page.evaluate((to) => window.show(to), hash);
+    }
+    return { page, text, ready, give, saved, equal, crc };
+}
 
+export async function useModel(test) {
+    const { check, folder } = test, { page, text, give, saved, equal, crc } = await begin(test);
     await page.click('#play');
     await page.click('[role=tab]:nth-child(2)');
     check('the kit pauses behind the tab Model', same(await text('play'), 'Play', 'button'));
     await give('made.glb');
     await saved('#model-save', 'made.saved');
     check('a GLB with textures becomes the bytes that pinhole-asset writes', [...same(await text('model-said'), '', 'said'), ...equal('made.saved', 'fit.phs')]);
-    check('... and is drawn as pinhole-sim draws them', same(await page.evaluate(() => document.querySelector('#model-facts dd').textContent),
+    check('... and is drawn as pinhole-sim draws them', same(await crc(),
         readFileSync(`${folder}/scene.crc`, 'utf8').trim(), 'crc32'));
     check('... on every board of the table', same(await page.evaluate(() => document.querySelectorAll('#model-boards tr').length),
         await page.evaluate(() => document.getElementById('model-board').options.length), 'rows'));
 
+    const glb = readFileSync(`${folder}/made.glb`);
+    writeFileSync(`${folder}/short.glb`, glb.subarray(0, glb.length / 2));
+    await give('short.glb');
+    check('a broken model is one line', [...same((await text('model-said')).split('\n').length, 1, 'lines'),
+        ...same(/^short\.glb: /.test(await text('model-said')), true, await text('model-said'))]);
+    await page.click('#model-save-c');
+    check('... after which there is no C scene to save', same(await text('model-said'), 'give the model again', 'said'));
+    await give('ring.png');
+    check('a picture is no model', same(await text('model-said'), 'no model among these files: OBJ, STL, PLY, glTF and GLB are', 'said'));
+    await give('made.glb');
+    await saved('#model-save', 'made.saved');
+    check('... and the page goes on', [...same(await text('model-said'), '', 'said'), ...equal('made.saved', 'fit.phs')]);
+    await page.context().close();
+}
+
+// Models that are broken, large or on their way; each costs one line, and then the page reads a good one.
+async function faults(test) {
+    const { check, folder } = test, { page, text, ready, give, saved, equal } = await begin(test, '#tab=model');
+    const goesOn = async () => {
+        await give('made.glb');
+        await saved('#model-save', 'made.saved');
+        return [...same(await text('model-said'), '', 'said'), ...equal('made.saved', 'fit.phs')];
+    };
+    await page.setInputFiles('#model-files', `${folder}/large.obj`);
+    await page.waitForFunction(() => !document.getElementById('model-busy').hidden);
+    await page.click('#model-cancel');
+    check('a model that is being read is cancelled', same(await text('model-said'), 'cancelled: give the model again', 'said'));
+    await page.waitForTimeout(500);
+    check('... and does not come after that', [...same(await text('model-said'), 'cancelled: give the model again', 'said'), ...same(await page.isVisible('#model-busy'), false, 'busy'), ...await goesOn()]);
+
+    const session = await page.context().newCDPSession(page);
+    await page.locator('.drop').scrollIntoViewIfNeeded();
+    const box = await page.locator('.drop').boundingBox();
+    for (const type of ['dragEnter', 'dragOver', 'drop']) {
+        await session.send('Input.dispatchDragEvent', { type, x: box.x + 20, y: box.y + 20, data: { items: [], files: [`${folder}/ring`], dragOperationsMask: 1 } });
+    }
+    await page.waitForFunction(() => /^ring: /.test(document.getElementById('model-need').textContent));
+    await ready();
+    check('a folder that is dropped gives its model with its textures', [...same(await text('model-said'), '', 'said'), ...same(await text('model-note'), '', 'note')]);
+
+    truncateSync(`${folder}/huge.stl`, 2 ** 28 + 1);
+    await give('huge.stl');
+    check('files that are too large are one line', same(await text('model-said'), 'these files have 268435457 bytes, and the page takes 268435456', 'said'));
+    const glb = readFileSync(`${folder}/made.glb`), wrong = [];
+    let refused = 0;
+    for (let i = 0; i < 24; i++) {
+        const bytes = Buffer.from(glb);
+        bytes.fill(i * 37, 20 + i * 61, 24 + i * 61); // in its JSON
+        writeFileSync(`${folder}/broken.glb`, i % 4 === 3 ? bytes.subarray(0, 100 * i) : bytes);
+        await give('broken.glb');
+        const said = await text('model-said');
+        refused += said !== '';
+        wrong.push(...said.includes('\n') || said.includes('pinhole') ? [said] : []);
+    }
+    check('broken models are one line each', [...wrong, ...same(refused > 12, true, `${refused} of 24 are refused`)]);
+    writeFileSync(`${folder}/many.gltf`, JSON.stringify({ asset: { version: '2.0' }, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+        accessors: [{ bufferView: 0, componentType: 5126, count: 1e9, type: 'VEC3' }], bufferViews: [{ buffer: 0, byteLength: 12e9 }], buffers: [{ byteLength: 12e9 }] }));
+    await give('many.gltf');
+    check('... and so is one that asks for 12 GB', [...same((await text('model-said')).split('\n').length, 1, 'lines'), ...same(/^many\.gltf: /.test(await text('model-said')), true, await text('model-said'))]);
+    check('... and the page goes on', await goesOn());
+    await page.context().close();
+}
+
+async function address(test) {
+    const hash = '#tab=model&board=pico-display&up=z&filter=bilinear&texture-size=64&turntable=on&two-sided=on&max-triangles=100';
+    const { check } = test, { page, text, give } = await begin(test, hash);
+    check('the address opens the tab Model', same(await page.isVisible('#model'), true, 'visible'));
+    await give('ring.obj', 'ring.mtl', 'ring.png');
+    check('... with what it says', [...same(await page.evaluate(() => ['up', 'filter', 'texture', 'board'].map((id) => document.getElementById(`model-${id}`).selectedOptions[0].text)), 'z,bilinear,64,pico-display, 240x135', 'choices'),
+        ...same(await page.isChecked('#model-turntable'), true, 'turntable'), ...same(await page.isChecked('#model-two-sided'), true, 'two-sided'), ...same(/ of 1,152$/.test(await text('model-count')) && parseInt(await text('model-count'), 10) <= 100, true, await text('model-count'))]);
+    check('... and keeps it', same(await page.evaluate(() => location.hash), hash, 'hash'));
+    await page.selectOption('#model-filter', { label: 'nearest' });
+    check('a choice is in the address', same(await page.evaluate(() => location.hash), hash.replace('&filter=bilinear', ''), 'hash'));
+    await page.evaluate(() => window.show('#tab=model&board=pico&up=x'));
+    await page.waitForFunction(() => document.getElementById('model-said').textContent !== '');
+    check('a wrong address is told', same(await text('model-said'), "--up 'x': no such up; --board 'pico': no such board", 'said'));
+    await page.context().close();
+}
+
+// FOLDER/boards has lines `board crc32`: the first frame of made.glb on each, with as many triangles as it has room for.
+async function boards(test) {
+    const { check, folder } = test, { page, give, crc } = await begin(test, '#tab=model'), wrong = [];
+    await give('made.glb');
+    for (const line of readFileSync(`${folder}/boards`, 'utf8').trim().split('\n')) {
+        const [board, expected] = line.split(' ');
+        await page.evaluate((name) => {
+            const select = document.getElementById('model-board');
+            select.selectedIndex = [...select.options].findIndex(({ text }) => text.startsWith(`${name},`));
+            select.dispatchEvent(new Event('change'));
+        }, board);
+        await page.waitForFunction(() => document.getElementById('model-busy').hidden);
+        wrong.push(...same(await crc(), expected, board));
+    }
+    check('a model is drawn on each board as pinhole-asset and pinhole-sim do', wrong);
+    await page.context().close();
+}
+
+// Simplifying, C scenes, keys and widths.
+async function choices(test) {
+    const { check, folder } = test, { page, text, ready, give, saved, equal } = await begin(test, '#tab=model');
     await give('ring.obj', 'ring.mtl', 'ring.png');
     await page.focus('#model-triangles');
     const [triangles] = readFileSync(`${folder}/ring.triangles`, 'utf8').trim().split(' ');
@@ -58,17 +167,12 @@ export async function useModel({ browser, open, check, folder }) {
         await page.screenshot({ path: `${folder}/model-${width}.png`, fullPage: true });
     }
 
-    const glb = readFileSync(`${folder}/made.glb`);
-    writeFileSync(`${folder}/short.glb`, glb.subarray(0, glb.length / 2));
-    await give('short.glb');
-    check('a broken model is one line', [...same((await text('model-said')).split('\n').length, 1, 'lines'),
-        ...same(/^short\.glb: /.test(await text('model-said')), true, await text('model-said'))]);
-    await page.click('#model-save-c');
-    check('... after which there is no C scene to save', same(await text('model-said'), 'give the model again', 'said'));
-    await give('ring.png');
-    check('a picture is no model', same(await text('model-said'), 'no model among these files: OBJ, STL, PLY, glTF and GLB are', 'said'));
-    await give('made.glb');
-    await saved('#model-save', 'made.saved');
-    check('... and the page goes on', [...same(await text('model-said'), '', 'said'), ...equal('made.saved', 'fit.phs')]);
     await page.context().close();
+}
+
+export async function useModelMore(test) {
+    await choices(test);
+    await address(test);
+    await boards(test);
+    await faults(test);
 }
