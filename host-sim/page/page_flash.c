@@ -148,11 +148,14 @@ static int reset(void *context)
 
 /* ---- the job ------------------------------------------------------------------------------------ */
 
+/* What a job shows after it has failed is not so: it goes on. */
 static void show(const char *what, uint32_t done, uint32_t all)
 {
-    page.what = what;
-    page.done = done;
-    page.all = all;
+    if (page.want == PAGE_FLASH_DONE) {
+        page.what = what;
+        page.done = done;
+        page.all = all;
+    }
 }
 
 void page_flash_begin(void)
@@ -162,6 +165,7 @@ void page_flash_begin(void)
     }
     page.count = 0;
     page.stop_at = UINT32_MAX;
+    page.want = PAGE_FLASH_DONE;
     show("preparing", 0, 1);
 }
 

@@ -1,5 +1,6 @@
 // model: the tab in which a model of the user becomes a scene, and is drawn as a kit draws it.
 import { readModelAddress, tabOf, writeModelAddress } from './page_address.mjs';
+import { makeBeside } from './page_beside.mjs';
 import { showBoards } from './page_boards.mjs';
 import { at, count, fill, showFacts } from './page_facts.mjs';
 import { saveFile, watchFiles } from './page_files.mjs';
@@ -33,7 +34,7 @@ export function openModelTab({ boards }, startAnother, readerModule, flasher) {
         updateSend();
     };
     const inputs = { up: at('model-up'), filter: at('model-filter'), 'texture-size': at('model-texture'),
-        turntable: at('model-turntable'), 'two-sided': at('model-two-sided') };
+        turntable: at('model-turntable'), 'two-sided': at('model-two-sided'), beside: at('model-compare') };
     const remember = () => {
         if (!at('model').hidden) {
             const triangles = made?.triangles ?? first;
@@ -54,18 +55,21 @@ export function openModelTab({ boards }, startAnother, readerModule, flasher) {
             say(note, true);
         }
         glass.show(core.glass());
+        beside.draw(frame);
         showFacts(at('model-facts'), stats, core.crc(), player.isPlaying() ? rate : 0);
         return stats.bus_us / 1000;
     };
     const move = (...way) => {
         if (made !== null) {
             core.drag(...way);
+            beside.drag(...way);
             if (!player.isPlaying()) {
                 draw();
             }
         }
     };
     const glass = makeGlass(at('model-glass'), move);
+    const beside = makeBeside(startAnother, move);
     at('model-glass').addEventListener('keydown', (event) => {
         const way = { ArrowLeft: [-8, 0, 0], ArrowRight: [8, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1] }[event.key];
         if (way !== undefined) {
@@ -127,7 +131,8 @@ export function openModelTab({ boards }, startAnother, readerModule, flasher) {
         busy(true);
         const clip = +at('model-clip').value;
         const goal = { board, triangles, texture_log2: +at('model-texture').value, turntable: +at('model-turntable').checked, clip };
-        const answer = await reader.ask({ call: 'make', goal });
+        const whole = at('model-compare').checked && triangles !== ALL ? await reader.ask({ call: 'make', goal: { ...goal, triangles: ALL } }) : null;
+        const answer = await reader.ask({ call: 'make', goal }); // the last one is what a C scene is written of
         core ??= await startAnother();
         busy(false);
         if (answer.wrong !== undefined) {
@@ -137,7 +142,12 @@ export function openModelTab({ boards }, startAnother, readerModule, flasher) {
         made = { ...answer, board: goal.board, clip, triangles };
         fit = triangles === FIT ? answer.report.triangles : fit;
         showReport();
+        beside.hide();
+        const lacks = whole?.scene === undefined ? whole?.wrong : await beside.show(whole.scene, boards[board], whole.report.triangles);
         showScene();
+        if (lacks) {
+            say(lacks, true);
+        }
         remember();
         if (wanted !== null) {
             await make(wanted);
@@ -203,7 +213,7 @@ export function openModelTab({ boards }, startAnother, readerModule, flasher) {
     for (const id of ['model-up', 'model-filter', 'model-two-sided']) {
         at(id).addEventListener('change', open);
     }
-    for (const id of ['model-texture', 'model-turntable', 'model-clip']) {
+    for (const id of ['model-texture', 'model-turntable', 'model-clip', 'model-compare']) {
         at(id).addEventListener('change', () => make(made?.triangles ?? FIT));
     }
     at('model-triangles').addEventListener('input', () => {

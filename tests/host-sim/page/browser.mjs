@@ -58,9 +58,8 @@ function tools() {
         }
         return n >>> 0;
     });
-    const canvas = document.querySelector('canvas');
     const copy = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
-    window.seen = () => {
+    window.painted = (canvas) => {
         const { width, height } = Object.assign(copy.canvas, { width: canvas.width, height: canvas.height });
         copy.drawImage(canvas, 0, 0);
         const { data } = copy.getImageData(0, 0, width, height);
@@ -68,9 +67,10 @@ function tools() {
         for (let i = 0; i < data.length; i++) {
             crc = i % 4 === 3 ? crc : table[(crc ^ data[i]) & 255] ^ (crc >>> 8);
         }
-        return [document.getElementById('frame').value, document.querySelector('dd[data-name=crc32]').textContent,
-            ((crc ^ 0xFFFFFFFF) >>> 0).toString(16).toUpperCase().padStart(8, '0')];
+        return ((crc ^ 0xFFFFFFFF) >>> 0).toString(16).toUpperCase().padStart(8, '0');
     };
+    window.seen = () => [document.getElementById('frame').value, document.querySelector('dd[data-name=crc32]').textContent,
+        window.painted(document.querySelector('canvas'))];
     window.said = () => document.getElementById('said').textContent;
     window.show = (hash) => new Promise((done) => {
         if (location.hash === hash) {

@@ -57,6 +57,8 @@ shift
 mkdir -p "$to/ring" && cp "$to"/ring.obj "$to"/ring.mtl "$to"/ring.png "$to/ring/"
 for ((i = 0; i < 200; i++)); do cat "$to/ring.obj"; done >"$to/large.obj"
 : >"$to/huge.stl"
+"$B/pinhole-asset" "$to/ring.obj" --max-triangles all -o "$to/whole.phs" 2>/dev/null
+"$B/pinhole-sim" --model "$to/whole.phs" --size 320x240 --crc | sed 's/.* //' >"$to/whole.crc"
 for board; do
     "$B/pinhole-asset" "$to/made.glb" --board "$board" --max-triangles fit -o "$to/board.phs" 2>/dev/null
     echo "$board $("$B/pinhole-sim" --model "$to/board.phs" --board "$board" --crc | sed 's/.* //')"

@@ -1,5 +1,5 @@
 // use_model: tries the tab Model as its users do; see browser.mjs. FOLDER has models, and scenes that pinhole-asset made of
-// them: made.glb and fit.phs, ring.obj with its files (in the folder ring, too) and ring.phs, ring.triangles, ring.c, large.obj, boards; scene.crc is what pinhole-sim draws.
+// them: made.glb and fit.phs, ring.obj with its files (in the folder ring, too) and ring.phs, ring.triangles, ring.c, large.obj, boards, whole.crc; scene.crc is what pinhole-sim draws.
 import { readFileSync, truncateSync, writeFileSync } from 'node:fs';
 
 const same = (is, must, what) => (String(is) === String(must) ? [] : [`${what}: ${is}, not ${must}`]);
@@ -154,6 +154,13 @@ async function choices(test) {
         ...same(await text('model-count'), `${triangles} of 1,152`, 'triangles'), ...equal('ring.saved', 'ring.phs')]);
     await saved('#model-save-c', 'ring.saved.c');
     check('... and as C', equal('ring.saved.c', 'ring.c'));
+    await page.check('#model-compare');
+    await page.waitForSelector('#model-beside', { state: 'visible' });
+    await ready();
+    check('the unsimplified model stands beside it, as pinhole-sim draws it', [...same(await text('model-whole-title'), 'unsimplified: 1,152 triangles', 'title'),
+        ...same(await page.evaluate(() => window.painted(document.querySelector('#model-whole canvas'))), readFileSync(`${folder}/whole.crc`, 'utf8').trim(), 'crc32')]);
+    await saved('#model-save-c', 'ring.saved.c');
+    check('... and the C scene is still the simplified one', equal('ring.saved.c', 'ring.c'));
     const before = await page.evaluate(() => document.querySelector('#model-facts dd').textContent);
     await page.focus('#model-glass');
     await page.keyboard.press('ArrowRight');
