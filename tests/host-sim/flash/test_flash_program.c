@@ -229,6 +229,20 @@ static void every_read_may_fail(void **state)
     fails = 0;
 }
 
+static void an_image_has_a_program_and_erased_bytes_behind_it(void **state)
+{
+    (void)state;
+    struct flash_program p;
+    const struct flash_image image = {.sectors = ROOM / 2 / FLASH_SECTOR, .bytes = flash};
+    clear();
+    memset(flash + ROOM / 2, 'x', ROOM / 2); /* not of the image */
+    flash[ROOM / 2 - 1] = 'n';
+    put_entry(0x02031c86, FLASH_BASE + ROOM / 2 - 1);
+    flash_program_find(&image, &p);
+    assert_memory_equal(p.name, "n???", 4);
+    assert_false(p.takes_scene || p.is_erased);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -239,6 +253,7 @@ int main(void)
         cmocka_unit_test(a_header_that_makes_no_sense_is_none),
         cmocka_unit_test(addresses_that_lead_out_of_the_flash_are_not_followed),
         cmocka_unit_test(every_read_may_fail),
+        cmocka_unit_test(an_image_has_a_program_and_erased_bytes_behind_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
