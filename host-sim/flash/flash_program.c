@@ -54,12 +54,12 @@ static int find_table(const struct source *from, struct flash_program *program, 
     *count = 0;
     program->is_erased = status == 0;
     for (uint32_t at = 0; status == 0 && at < HEAD_BYTES; at += 4) {
-        const uint32_t from = word_at(head + at + 4), end = word_at(head + at + 8);
+        const uint32_t begin = word_at(head + at + 4), end = word_at(head + at + 8);
         program->is_erased = program->is_erased && word_at(head + at) == UINT32_MAX;
-        if (word_at(head + at) == BEGIN && word_at(head + at + 16) == FINISH && is_in_flash(from) && end > from &&
-            end - from <= 4 * ENTRIES_MOST) {
-            *first = from;
-            *count = (end - from) / 4;
+        if (word_at(head + at) == BEGIN && word_at(head + at + 16) == FINISH && is_in_flash(begin) && end > begin &&
+            end - begin <= 4 * ENTRIES_MOST) {
+            *first = begin;
+            *count = (end - begin) / 4;
         }
     }
     return status;
