@@ -275,7 +275,8 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 
-$(B)/tests/app/test_labels: override LDFLAGS += -Wl,--wrap=ph_overlay_text,--wrap=ph_text # it looks at what labels cover
+$(B)/tests/app/test_labels: override LDFLAGS += -Wl,--wrap=ph_overlay_text,--defsym=__wrap_ph_overlay_text=labels_overlay_text # it looks at
+$(B)/tests/app/test_labels: override LDFLAGS += -Wl,--wrap=ph_text,--defsym=__wrap_ph_text=labels_text # what labels cover
 $(B)/tests/hal/test_hal: $(B)/hal/template/template.o # a port, so it is in no library
 # Nor is the emulator of an RP2350: a test of one of its files links that file alone, and plays the others.
 $(foreach f,$(wildcard host-sim/emulate/rp2350/*.c),$(eval $(B)/tests/host-sim/emulate/test_$(basename $(notdir $(f))): $(f:%.c=$(B)/%.o)))

@@ -11,6 +11,7 @@
 #   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in an emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
 #   CHANGES=0|1                                   frames are sent whole | only their changes are (default, if the port can)
 #   CLIP_FPS=N                                    each frame is 1/N s of a clip (24, 25, 30, ..); by default clips run by the kit's clock
+#   DITHER=N                                      light without bands (ph_dither), with room for N ramps of 2 KB; 0: with bands, the default
 #   CORES=1|2                                     how many cores the image uses
 #   RAM_CODE=small                                RP2040: only what small triangles of a mesh need runs from RAM; 27 KB are left for APP, or a larger scene_bytes
 #   ISA=arm|riscv                                 which cores of an RP2350 it is for
@@ -19,6 +20,7 @@
 # A microcontroller board has, beside board.c (its data), a boards/NAME/board.mk with
 #   PORT              a folder of hal/
 #   CHIP_FLASH_BYTES  the board's flash
+#   DITHER            optional: DITHER=N of this kit, where the command line says nothing else
 #   CHIP_RAM_BYTES    the chip's RAM; an image may take board.c's image_ram of it, stack included
 # A port has, beside its C and assembler files, a hal/PORT/port.mk with
 #   PORT_CPU          a folder of firmware/core/kernels: armv6m, armv7m, rv32
@@ -90,9 +92,11 @@ $(if $(filter $(or $(ISA),none),$(or $(PORT_ISAS),none)),,$(error ISA=$(ISA): $(
 CHANGES ?= $(if $(PORT_TILES_BYTES),1,0)
 $(if $(filter $(CHANGES),$(if $(PORT_TILES_BYTES),0 1,0)),,$(error CHANGES=$(CHANGES): $(BOARD) has $(if $(PORT_TILES_BYTES),0 1,0)))
 $(if $(CLIP_FPS),$(if $(filter 1 2 3 4 5 6 7 8 9 10 12 15 20 24 25 30 48 50 60 100 120 1000,$(CLIP_FPS)),,$(error CLIP_FPS=$(CLIP_FPS): a usual rate, such as 24, 25, 30 or 60)))
+DITHER ?= 0
+$(if $(filter 0 1 2 3 4 5 6 7 8,$(DITHER)),,$(error DITHER=$(DITHER): ramps that are dithered, 0 .. 8))
 RAM_CODE ?= cores$(CORES)
 $(if $(filter $(RAM_CODE),cores$(CORES) $(PORT_RAM_CODES)),,$(error RAM_CODE=$(RAM_CODE): $(BOARD) has $(or $(PORT_RAM_CODES),no other)))
-IMAGE_CORES := $(if $(filter-out $(firstword $(PORT_ISAS)),$(ISA)),-$(ISA))$(if $(filter-out 1,$(CORES)),-cores$(CORES))$(if $(PORT_TILES_BYTES),$(if $(filter 0,$(CHANGES)),-whole))$(CLIP_FPS:%=-fps%)
+IMAGE_CORES := $(if $(filter-out $(firstword $(PORT_ISAS)),$(ISA)),-$(ISA))$(if $(filter-out 1,$(CORES)),-cores$(CORES))$(if $(PORT_TILES_BYTES),$(if $(filter 0,$(CHANGES)),-whole))$(CLIP_FPS:%=-fps%)$(patsubst %,-dither%,$(filter-out 0,$(DITHER)))
 IMAGE_RAM := $(if $(filter-out cores%,$(RAM_CODE)),-$(RAM_CODE))
 SCENE_NAME := $(basename $(notdir $(SCENE)))
 IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)$(IMAGE_RAM)
@@ -111,7 +115,7 @@ $(B)/board-facts: INC = -Ihal -Iboards
 # A make of its own builds the image, with the target's compiler in place of the computer's.
 image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install $(if $(PORT_CROSS),gcc-$(PORT_CROSS:%-=%),gcc-arm-none-eabi libnewlib-arm-none-eabi)))\
              $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
-             CPU='$(PORT_CPU)' KIT=1 BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' ISA='$(ISA)' CHANGES='$(CHANGES)' CLIP_FPS='$(CLIP_FPS)' RAM_CODE='$(RAM_CODE)' VERSION='$(VERSION)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
+             CPU='$(PORT_CPU)' KIT=1 BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' ISA='$(ISA)' CHANGES='$(CHANGES)' CLIP_FPS='$(CLIP_FPS)' DITHER='$(DITHER)' RAM_CODE='$(RAM_CODE)' VERSION='$(VERSION)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
 NO_BOARD = @echo 'BOARD= is missing; microcontroller boards are: $(MCU_BOARDS)' >&2; exit 2 \#
@@ -171,7 +175,7 @@ $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 
 BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,$(or $(FIRST_DEMO),$(firstword $(DEMOS_MORE)),turntable)) \
              -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0) -DAHEAD_BYTES=$(or $(PORT_AHEAD_BYTES),0) \
-             -DCLIP_FPS=$(or $(CLIP_FPS),DEMO_CLIPS_BY_CLOCK) \
+             -DCLIP_FPS=$(or $(CLIP_FPS),DEMO_CLIPS_BY_CLOCK) -DDITHERED_RAMPS=$(DITHER) \
              $(if $(or $(SCENE_C),$(if $(PORT_SCENE),,none)),-DSCENE_AT=0 -DSCENE_BYTES=0,-DSCENE_AT=$(UF2_BASE)+$(PORT_SCENE) -DSCENE_BYTES=$(CHIP_FLASH_BYTES)-$(PORT_SCENE))
 
 BUILD_TEXT = $(or $(SCENE_NAME),$(APP_NAME)) for $(BOARD), CORES=$(CORES) CHANGES=$(CHANGES)$(if $(ISA), ISA=$(ISA))$(if $(IMAGE_RAM), RAM_CODE=$(RAM_CODE))

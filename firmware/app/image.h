@@ -2,6 +2,8 @@
 #ifndef IMAGE_H
 #define IMAGE_H
 
+#include "render.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
@@ -18,6 +20,10 @@ extern const size_t image_tiles_bytes;
 
 /* Frames in a second of clips; DEMO_CLIPS_BY_CLOCK: they run by the kit's clock (make's CLIP_FPS=N says otherwise). */
 extern const uint16_t image_clip_fps;
+
+/* Dithered light, which runner_config takes (make's DITHER=N). NULL: light has bands. */
+extern struct ph_dither *const image_dither;
+extern int (*const image_set_dither)(struct ph_renderer *r, struct ph_dither *dither);
 
 /* Static memory for the scene of the next frame (see runner_config.h). NULL and 0 bytes with one core. */
 extern void *const image_ahead;

@@ -4,7 +4,6 @@
 
 #include "board.h"
 #include "demo.h"
-#include "dither.h"
 #include "panel.h"
 
 /* What runner_open() is told. */
@@ -37,7 +36,7 @@ struct runner_config {
     size_t memory_bytes;        /* runner_bytes() or more */
     const struct ph_antialiasing *antialiasing; /* PH_ANTIALIAS_2X2: 2 x 2 samples a pixel, in bands of a quarter of
                                                    band_height: about the same memory. Or NULL */
-    struct ph_dither *dither;                   /* dithered light (dither.h), or NULL; it keeps its own memory */
+    struct ph_dither *dither;                   /* dithered light (ph_dither), or NULL; it keeps its own memory */
     int (*set_dither)(struct ph_renderer *r, struct ph_dither *dither); /* ph_dither, if dither is not NULL */
 };
 

@@ -91,14 +91,14 @@ static void look(const struct ph_overlay_band *band, int32_t x, int32_t y, int32
 
 void __real_ph_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
                             const struct ph_overlay_style *style);
-void __wrap_ph_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
+void labels_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
                             const struct ph_overlay_style *style);
 void __real_ph_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
                     const struct ph_overlay_style *style);
-void __wrap_ph_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
+void labels_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
                     const struct ph_overlay_style *style);
 
-void __wrap_ph_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
+void labels_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
                             const struct ph_overlay_style *style)
 {
     if (!at.bare) {
@@ -107,7 +107,7 @@ void __wrap_ph_overlay_text(const struct ph_overlay_band *band, int32_t x, int32
     }
 }
 
-void __wrap_ph_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
+void labels_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
                     const struct ph_overlay_style *style)
 {
     if (!at.bare) {

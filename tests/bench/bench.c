@@ -21,7 +21,6 @@
 #include "bench.h"
 
 #include "demo.h"
-#include "dither.h"
 #include "render.h"
 
 #include <stdbool.h>

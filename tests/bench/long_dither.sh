@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Dithered light (dither.h) takes at most 3 % of a frame, in the scenes with Gouraud light and on each core, and gives the same
+# Dithered light (ph_dither) takes at most 3 % of a frame, in the scenes with Gouraud light and on each core, and gives the same
 # bytes on all of them and in pinhole-sim.
 # shellcheck disable=SC2317 # functions are called by check
 set -u

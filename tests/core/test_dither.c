@@ -1,5 +1,5 @@
 /*
- * Dithered light (dither.h) against ideal light in double precision, as the eye sees it: CIE76 after a blur of 1 pixel.
+ * Dithered light (ph_dither) against ideal light in double precision, as the eye sees it: CIE76 after a blur of 1 pixel.
  * And it is the same in any band, on two cores, and in a frame that stands still.
  */
 #include <math.h>
@@ -12,7 +12,6 @@
 #include <cmocka.h>
 
 #include "colour.h"
-#include "dither.h"
 
 enum { WIDTH = 160, HEIGHT = 120, COLUMNS = 26, ROWS = 20, CELL = 7, CORNERS = COLUMNS * ROWS, EDGE = 6 };
 enum { FACES = 2 * (COLUMNS - 1) * (ROWS - 1), GRADIENTS = 6 };

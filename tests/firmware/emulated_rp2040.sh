@@ -3,7 +3,8 @@
 #   rp2040_here                              exits 77 where something is missing
 #   emulate BOARD CORES FRAMES [KEYS] [option of emulate.mjs ...]
 #                                            runs the image of all demos; KEYS is a file for pinhole-sim --keys, or -
-#                                            (in the environment CHANGES=0: the image that sends whole frames, ISA=riscv);
+#                                            (in the environment CHANGES=0: the image that sends whole frames, ISA=riscv,
+#                                            DITHER=8: the one that dithers light);
 #                                            frames to $dir/seen, the UART to $dir/log, the wires to $dir/out/events
 #   expect BOARD FRAMES [KEYS]               pinhole-sim's frames, to $dir/expected
 #   sweep EACH                               keys that show every demo for EACH frames and press buttons, to $dir/keys
@@ -17,7 +18,7 @@ rp2040_here() {
 }
 
 image() { # board, cores
-    make_image firmware BOARD="$1" CORES="$2" CHANGES="${CHANGES:-1}"
+    make_image firmware BOARD="$1" CORES="$2" CHANGES="${CHANGES:-1}" DITHER="${DITHER:-0}"
 }
 
 elf_of() { # board, cores
@@ -25,6 +26,7 @@ elf_of() { # board, cores
     [ "${ISA:-arm}" = arm ] || name=$name-$ISA
     [ "$2" = 1 ] || name=$name-cores$2
     [ "${CHANGES:-1}" = 1 ] || name=$name-whole
+    [ "${DITHER:-0}" = 0 ] || name=$name-dither$DITHER
     echo "$B/firmware/$name.elf"
 }
 
@@ -48,6 +50,7 @@ emulate() {
 expect() {
     local keys=()
     [ "${3--}" = - ] || keys=(--keys "$3")
+    [ "${DITHER:-0}" = 0 ] || keys+=(--dither)
     "$B/pinhole-sim" --board "$1" --frames "$2" "${keys[@]}" --crc >"$dir/expected" 2>/dev/null
 }
 

@@ -18,6 +18,11 @@ every_demo() { # board, cores, option of the emulator...
     image "$1" "$2" && sweep 4 && emulate "$1" "$2" $((4 * demos)) "$dir/keys" "${@:3}" && expect "$1" $((4 * demos)) "$dir/keys" && same $((4 * demos))
 }
 
+light_without_bands() { # board: frames of the first demo are pinhole-sim --dither's, and not those with bands
+    local DITHER=8
+    image "$1" 2 && emulate "$1" 2 4 && expect "$1" 4 && same 4 && DITHER=0 expect "$1" 4 && ! same 4 >/dev/null
+}
+
 as_in_the_table() { # number of demos
     speed_agrees "$1" pico2-display 6
 }
@@ -34,5 +39,6 @@ done
 for ISA in arm riscv; do
     ! in_share || check "frame_rates_are_as_in_the_table_$ISA" as_in_the_table "$("$B/pinhole-sim" --list | awk '$1 == "demo" && !/; by name only$/' | wc -l)"
 done
+! in_share || ISA=arm check "light_without_bands_is_the_simulators" light_without_bands pico2-display
 ! in_share || check "images_for_RISC-V_are_what_its_boot_ROM_starts" env ISA=riscv tests/firmware/test_firmware_rp2350.sh
 tap_end

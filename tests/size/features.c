@@ -3,7 +3,6 @@
  * unlit mesh, clipped, under a perspective, in fixed16. With SHOWN it runs on a computer, and prints the CRC of three
  * frames.
  */
-#include "dither.h"
 #include "picture.h"
 
 #include "overlay.h"

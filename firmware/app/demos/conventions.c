@@ -79,7 +79,8 @@ static struct ph_projection in_quarter(const struct demo_context *context, uint3
 {
     const int32_t w = context->width, h = context->height, free_px = h / 2 - DEMO_TEXT_LINE * text_lines(context) - 1;
     const int32_t sixteenths = free_px > 0 ? free_px * 16 / h : 8; /* without room, half of the picture */
-    const int32_t high = h * sixteenths / 16, wide = w / 3, across = high < wide ? high : wide;
+    const int32_t high = h * sixteenths / 16, wide = w / 3, less = high < wide ? high : wide;
+    const int32_t across = less > 0 ? less : 1;
     return (struct ph_projection){.kind = PH_PERSPECTIVE,
                                   .scale_x_q20 = (int32_t)(fx_mul_wide(SCALE_Q20, across) / w),
                                   .scale_y_q20 = (int32_t)(fx_mul_wide(SCALE_Q20, across) / h),

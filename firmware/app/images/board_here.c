@@ -4,6 +4,7 @@
  *   DEMO_HERE    the first demo's symbol     TILES_BYTES   memory for signatures of tiles, or 0
  *   AHEAD_BYTES  memory for the next frame's scene, or 0
  *   IMAGE_BUILD  image_build                  CLIP_FPS      frames in a second of clips, or DEMO_CLIPS_BY_CLOCK
+ *   DITHERED_RAMPS  ramps for dithered light, or 0
  *   SCENE_AT     where a binary scene may lie in flash, of at most SCENE_BYTES; 0: nowhere
  */
 #include "demo.h"
@@ -33,5 +34,16 @@ const size_t image_ahead_bytes = AHEAD_BYTES;
 const void *const image_scene = (const void *)(uintptr_t)(SCENE_AT);
 const size_t image_scene_bytes = SCENE_BYTES;
 const uint16_t image_clip_fps = CLIP_FPS;
+
+/* Without ramps neither they nor ph_dither are linked. */
+#if DITHERED_RAMPS > 0
+static struct ph_dithered_ramp ramps[DITHERED_RAMPS];
+static struct ph_dither dither = {.ramps = ramps, .ramp_max = DITHERED_RAMPS};
+struct ph_dither *const image_dither = &dither;
+int (*const image_set_dither)(struct ph_renderer *r, struct ph_dither *dither) = ph_dither;
+#else
+struct ph_dither *const image_dither = NULL;
+int (*const image_set_dither)(struct ph_renderer *r, struct ph_dither *dither) = NULL;
+#endif
 
 #endif

@@ -3,10 +3,11 @@
  * the next clip of a scene, and then the next demo.
  *
  * On the log UART (115200 8N1) it writes which demo or clip starts, a line about frames each second, and why it
- * stopped. It reads single characters: B          reboot into the chip's boot loader (as a button does that is held at
- * power-up) H          draw one frame, write a line about it, and hold; G: go on R          a report of the kit to
- * paste (self_test.h); then it holds, with the test card on the glass u d l r s  as if the kit's button were held
- * during one frame
+ * stopped. It reads single characters:
+ *   B          reboot into the chip's boot loader (as a button does that is held at power-up)
+ *   H          draw one frame, write a line about it, and hold; G: go on
+ *   R          a report of the kit to paste (self_test.h); then it holds, with the test card on the glass
+ *   u d l r s  as if the kit's button were held during one frame
  */
 #include "image.h"
 #include "port.h"
@@ -260,6 +261,8 @@ static int open(struct runner *runner, struct panel_tiles *tiles)
                                          .ahead_bytes = image_ahead_bytes,
                                          .demo = demo_here,
                                          .clip_fps = image_clip_fps,
+                                         .dither = image_dither,
+                                         .set_dither = image_set_dither,
                                          .sender = sender(tiles),
                                          .memory = image_memory,
                                          .memory_bytes = image_memory_bytes};

@@ -121,7 +121,7 @@ ph_gouraud_kernel ph_long_gouraud;
 ph_gouraud_kernel ph_small_knee;
 
 /* small_dithered.c, long_dithered.c, knee_dithered.c: draw what ph_small_gouraud, ph_long_gouraud and ph_small_knee
- * draw, but along a ramp of PH_DITHER_STEPS * PH_RAMP_SIZE colours (dither.h). */
+ * draw, but along a ramp of PH_DITHER_STEPS * PH_RAMP_SIZE colours (ph_dither). */
 ph_gouraud_kernel ph_small_dithered, ph_long_dithered, ph_knee_dithered;
 
 /* The entry of the ramp is light >> this: the top 7 bits of light, or 10 of a ramp that is dithered. */

@@ -1,6 +1,6 @@
-/* Bands on two cores: each sets up half of the next triangles, and draws half of the band's rows. See bands.h. */
+/* Bands on two cores: each sets up half of the next triangles, and draws half of the band's rows. See band_rest.h. */
 /* Kits on armv6m: -O2. */
-#include "bands.h"
+#include "band_rest.h"
 
 #include "coarse.h"
 #include "cores.h"

@@ -5,7 +5,7 @@
 #ifndef PH_BANDS_LOOP_H
 #define PH_BANDS_LOOP_H
 
-#include "bands.h"
+#include "band_rest.h"
 #include "cores.h"
 #include "fog.h"
 #include "points.h"

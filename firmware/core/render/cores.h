@@ -30,7 +30,7 @@ struct ph_rest;
 struct ph_vertex;
 
 /* What only a renderer with two cores calls; struct ph_config names it, so that the linker leaves it out of a program
- * for one core. See transform.h, mesh.h and bands.h. */
+ * for one core. See transform.h, mesh.h and band_rest.h. */
 struct ph_cores {
     uint32_t (*transform_both)(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
                                struct ph_vertex *vertices);

@@ -1,13 +1,11 @@
 /*
- * Dithered light. See dither.h.
+ * Dithered light. See ph_dither in render.h.
  *
  * It takes the place of antialiasing in the renderer: struct ph_antialiasing has all that set-up and bands ask. Before
  * the first band of a frame, the list's copies of materials get a shading of their own and a ramp of all steps, so that
  * nothing else of the renderer knows of it.
  */
 /* Kits on armv6m: -O3. */
-#include "dither.h"
-
 #include "bands_loop.h"
 #include "colour.h"
 #include "edge.h"
@@ -94,6 +92,7 @@ static uint32_t draw_small(const struct ph_triangle *t, const struct ph_band *ba
     struct ph_small_triangle r = t->as.small.rows;
     struct ph_place at = ph_cut_rows(t, band, &r);
     at.draw_gouraud = r.knee != 0 ? ph_knee_dithered : ph_small_dithered;
+    at.light_down = PH_DITHERED_DOWN;
     return t->block != PH_BLOCK_NONE ? band->ways->octaves->draw_rows_split(t, &r, &at, NULL)
                                      : at.draw_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
 }
@@ -120,7 +119,7 @@ static void set_light(const struct ph_plane_base *s, const struct ph_vertex *con
 
 static uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return ph_draw_long(t, band, ph_long_dithered);
+    return ph_draw_long(t, band, ph_long_dithered, PH_DITHERED_DOWN);
 }
 
 static const struct ph_gouraud gouraud = {.take_tall = take_tall, .set_light = set_light, .draw_long = draw_long};

@@ -48,7 +48,7 @@ void ph_take_tall(struct ph_triangle *t, const struct ph_renderer *r, const stru
 
 static uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return ph_draw_long(t, band, ph_long_gouraud);
+    return ph_draw_long(t, band, ph_long_gouraud, PH_LIGHT_DOWN);
 }
 
 const struct ph_gouraud ph_gouraud = {.take_tall = ph_take_tall, .set_light = ph_set_light, .draw_long = draw_long};

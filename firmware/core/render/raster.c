@@ -16,36 +16,26 @@
 #include "samples.h"
 #include "shading.h"
 
-/* Draws the rows of a small triangle that are left. */
-static inline uint32_t draw_left(const struct ph_triangle *t, const struct ph_band *band,
-                                 const struct ph_small_triangle *r, const struct ph_place *at)
-{
-    return t->kind == PH_KIND_SMALL ? ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride)
-                                    : band->ways->octaves->draw_knee(r, at->depth, at->pixels, 2 * at->stride);
-}
-
 /* Draws a small triangle that the band cuts, or that has a knee. */
 PH_TIER(loop) static PH_NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->as.small.rows;
     const struct ph_place at = ph_cut_rows(t, band, &r);
-    return draw_left(t, band, &r, &at);
+    ph_gouraud_kernel *const draw = t->kind == PH_KIND_SMALL ? at.draw_gouraud : band->ways->octaves->draw_knee;
+    return draw(&r, at.depth, at.pixels, 2 * at.stride);
 }
 
-/* Draws a small triangle. Only the borders of the band can cut it. */
-static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_band *band)
+/* Whether a triangle is small and has a plane of codes, with or without a knee. */
+static inline bool can_step(const struct ph_triangle *t)
 {
-    if (t->y_top < band->y0 || t->y_bottom > band->y1) {
-        return draw_cut(t, band);
-    }
-    const uint32_t stride = band->stride, start = (uint32_t)(t->y_top - band->y0) * stride;
-    return ph_small_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
+    return t->kind == PH_KIND_SMALL || t->kind == PH_KIND_SMALL_KNEE;
 }
 
 PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band)
 {
-    if (t->kind == PH_KIND_SMALL) {
-        return draw_small(t, band);
+    if (t->kind == PH_KIND_SMALL && t->y_top >= band->y0 && t->y_bottom <= band->y1) {
+        const uint32_t stride = band->stride, start = (uint32_t)(t->y_top - band->y0) * stride;
+        return ph_small_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
     }
     if (t->kind == PH_KIND_SMALL_TEXTURE) {
         return t->block == PH_BLOCK_NONE ? t->material->shading->texturing.draw_texels(t, band)
@@ -54,7 +44,7 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
     if (PH_TEXTURE_KNEE && t->kind == PH_KIND_SMALL_TEXTURE_KNEE) {
         return t->material->shading->texturing.draw_texels(t, band);
     }
-    if (t->kind == PH_KIND_SMALL_KNEE) {
+    if (can_step(t)) {
         return draw_cut(t, band);
     }
     if (t->kind == PH_KIND_SMALL_SPLIT) {
@@ -71,12 +61,6 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
     }
     const bool tests = t->block == PH_BLOCK_NONE && band->coarse != NULL && t->y_bottom - t->y_top >= PH_OCCLUDED_ROWS;
     return tests ? band->coarse->occlusion->draw_unless_hidden(t, band) : ph_draw_large(t, band);
-}
-
-/* Whether a triangle is small and has a plane of codes, with or without a knee. */
-static inline bool can_step(const struct ph_triangle *t)
-{
-    return t->kind == PH_KIND_SMALL || t->kind == PH_KIND_SMALL_KNEE;
 }
 
 /* Steps a small triangle or a line down to row y1, where the next band begins; y_bottom is below y1. A triangle that
@@ -103,9 +87,12 @@ PH_TIER(loop) static PH_NOINLINE uint32_t draw_then_step(struct ph_triangle *t, 
 
 PH_TIER(scenery) uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
 {
-    if (!can_step(t) || t->y_top < band->y0) {
-        return draw_then_step(t, band);
+    const bool begins_here = t->y_top >= band->y0;
+    if (t->kind == PH_KIND_SMALL && begins_here) { /* the most frequent */
+        return ph_draw_above_with(t, band, ph_small_gouraud);
     }
-    return t->kind == PH_KIND_SMALL_KNEE ? ph_draw_above_with(t, band, band->ways->octaves->draw_knee)
-                                         : ph_draw_above_with(t, band, ph_small_gouraud);
+    if (t->kind == PH_KIND_SMALL_KNEE && begins_here) {
+        return ph_draw_above_with(t, band, band->ways->octaves->draw_knee);
+    }
+    return draw_then_step(t, band);
 }

@@ -51,21 +51,8 @@ FX_APART struct ph_place ph_cut_rows(const struct ph_triangle *t, const struct p
         r->lower_rows = (uint16_t)(rows - upper_rows);
     }
     const uint32_t stride = band->stride, start = (uint32_t)y * stride;
-    return (struct ph_place){(uint16_t *)band->depth + start, band->pixels + start, stride,
-                             .draw_gouraud = ph_small_gouraud};
-}
-
-/* Steps n rows down. At most all of the upper rows are passed; then the lower edge takes over. */
-PH_TIER(scenery) static void step_rows(struct ph_small_triangle *r, uint32_t n)
-{
-    r->left += n * r->left_dx;
-    r->right += n * r->right_dx;
-    r->d += n * r->d_dy;
-    r->light += n * r->light_dy;
-    r->upper_rows = (uint16_t)(r->upper_rows - n);
-    if (r->upper_rows == 0 && r->lower_rows > 0) {
-        ph_small_lower(r);
-    }
+    return (struct ph_place){(uint16_t *)band->depth + start, band->pixels + start, stride, ph_small_gouraud,
+                             PH_LIGHT_DOWN};
 }
 
 /* Whether the depth where an edge meets a row, a pixel more or less, lies in the octave. */
@@ -185,13 +172,8 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_sma
             const struct ph_row_piece piece = {x, n, code, octave->slope, x + n == to};
             t->material->shading->texturing.draw_texel_piece(texels, &piece, at->depth, at->pixels);
         } else {
-            struct ph_small_triangle row = *r;
-            row.left = x << 16;
-            row.right = (x + n) << 16;
-            row.d = code - x * octave->slope;
-            row.gd = octave->slope;
-            row.upper_rows = 1;
-            at->draw_gouraud(&row, at->depth, at->pixels, 2 * at->stride);
+            ph_span_gouraud(&at->pixels[x], &at->depth[x], n, code, octave->slope, r->light + x * r->glight, r->glight,
+                            r->ramp, at->light_down);
         }
     }
     return to - from;
@@ -218,7 +200,7 @@ uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangl
         } else if (!is_empty || texels != NULL) { /* texels are stepped over empty rows, too */
             count += draw_rows_in_octave(t, r, &octave, n, &at, texels);
         }
-        step_rows(r, n);
+        ph_skip_rows(r, n);
         at.depth += n * at.stride;
         at.pixels += n * at.stride;
     }
@@ -251,7 +233,7 @@ static uint32_t draw_long_rows(const struct ph_triangle *t, const struct ph_band
             if (n == rows) { /* as in every band of 16 lines */
                 return count;
             }
-            step_rows(r, n);
+            ph_skip_rows(r, n);
         } else {
             count += band->ways->octaves->draw_rows_split(t, r, &at, NULL);
         }
@@ -263,7 +245,8 @@ static uint32_t draw_long_rows(const struct ph_triangle *t, const struct ph_band
 }
 
 PH_TIER(scenery)
-uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band, ph_gouraud_kernel *draw_gouraud)
+uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band, ph_gouraud_kernel *draw_gouraud,
+                      uint32_t light_down)
 {
     const struct ph_plane *const depth = &t->as.large.depth.as.plane, *const light = &t->as.large.of.light;
     struct ph_small_triangle r;
@@ -284,8 +267,8 @@ uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band, p
             r.right_dx = (uint32_t)in.right.dx;
             r.d = depth->base + (uint32_t)in.y * depth->gy;
             r.light = light->base + (uint32_t)in.y * light->gy;
-            const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride,
-                                        .draw_gouraud = draw_gouraud};
+            const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride, draw_gouraud,
+                                        light_down};
             count += draw_long_rows(t, band, &r, at, (uint32_t)(in.y_end - in.y));
         }
     }

@@ -19,16 +19,16 @@ struct ph_place {
     /* ph_small_gouraud; or ph_long_gouraud, if rows may leave the picture or have more than PH_SMALL_COLUMNS pixels; or
      * those of dithered light */
     ph_gouraud_kernel *draw_gouraud;
+    uint32_t light_down; /* PH_LIGHT_DOWN, or PH_DITHERED_DOWN */
 };
 
-/* Steps n rows down, which are fewer than the upper ones. */
-static inline void ph_skip_upper_rows(struct ph_small_triangle *r, uint32_t n)
+/* Steps edges, depth and light n rows down, which are fewer than the upper ones or end with them. */
+static inline void ph_step_upper(struct ph_small_triangle *r, uint32_t n)
 {
     r->left += n * r->left_dx;
     r->right += n * r->right_dx;
     r->d += n * r->d_dy;
     r->light += n * r->light_dy;
-    r->upper_rows = (uint16_t)(r->upper_rows - n);
 }
 
 /* Steps n rows down, which are the upper ones and so many of the lower ones; those that are left become the upper rows.
@@ -51,11 +51,12 @@ static inline void ph_skip_to_lower_rows(struct ph_small_triangle *r, uint32_t n
     r->lower_rows = 0;
 }
 
-/* Steps n rows down, through both halves. */
+/* Steps n rows down, through both halves. Without lower rows the edges go on as they are. */
 static inline void ph_skip_rows_of(struct ph_small_triangle *r, uint32_t n)
 {
-    if (n < r->upper_rows) {
-        ph_skip_upper_rows(r, n);
+    if (n < r->upper_rows || r->lower_rows == 0) {
+        ph_step_upper(r, n);
+        r->upper_rows = (uint16_t)(r->upper_rows - n);
     } else {
         const uint32_t lower = n - r->upper_rows;
         ph_skip_to_lower_rows(r, n, lower, r->lower_rows - lower);
@@ -78,14 +79,14 @@ static inline uint32_t ph_draw_above_with(struct ph_triangle *t, const struct ph
         small->upper_rows = (uint16_t)rows;
         small->lower_rows = 0;
         const uint32_t count = draw_gouraud(small, depth, pixels, 2 * stride);
-        small->upper_rows = (uint16_t)upper_rows;
+        ph_step_upper(small, rows);
+        small->upper_rows = (uint16_t)(upper_rows - rows);
         small->lower_rows = (uint16_t)lower_rows;
-        ph_skip_upper_rows(small, rows);
         return count;
     }
-    const uint32_t below = rows - upper_rows;
-    small->lower_rows = (uint16_t)below;
+    small->lower_rows = (uint16_t)(rows - upper_rows);
     const uint32_t count = draw_gouraud(small, depth, pixels, 2 * stride);
+    const uint32_t below = small->lower_rows;
     ph_skip_to_lower_rows(small, rows, below, lower_rows - below);
     return count;
 }
@@ -93,9 +94,10 @@ static inline uint32_t ph_draw_above_with(struct ph_triangle *t, const struct ph
 /* Cuts r, the rows of t or a copy of them, down to its rows in the band. Returns the place of the first of them. */
 struct ph_place ph_cut_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_small_triangle *r);
 
-/* Draws the part of a Gouraud triangle that lies in the band, with depth of 16 bits. draw_gouraud: ph_long_gouraud or
- * ph_long_dithered. Returns the pixels tested. */
-uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band, ph_gouraud_kernel *draw_gouraud);
+/* Draws the part of a Gouraud triangle that lies in the band, with depth of 16 bits. draw_gouraud, light_down:
+ * ph_long_gouraud and PH_LIGHT_DOWN, or ph_long_dithered and PH_DITHERED_DOWN. Returns the pixels tested. */
+uint32_t ph_draw_long(const struct ph_triangle *t, const struct ph_band *band, ph_gouraud_kernel *draw_gouraud,
+                      uint32_t light_down);
 
 /* Draws the part of a small triangle that lies in the band; it crosses octaves, and may have a texture. Only formats
  * name this function and the next one. */

@@ -2,7 +2,7 @@
 /* Kits on armv6m: -O2. */
 #include "samples.h"
 
-#include "bands.h"
+#include "band_rest.h"
 #include "edge.h"
 #include "kernels.h"
 #include "line.h"

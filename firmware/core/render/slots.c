@@ -1,6 +1,6 @@
-/* Slots and rows of a band, for one core and for two. See bands.h. */
+/* Slots and rows of a band, for one core and for two. See band_rest.h. */
 /* Kits on armv6m: -O2. */
-#include "bands.h"
+#include "band_rest.h"
 
 #include "band.h"
 #include "kernels.h"

@@ -26,8 +26,8 @@ static inline void ph_pixel_flat(uint16_t *pixel, uint16_t *depth, uint32_t d, u
     }
 }
 
-/* The top bits of light are the entry of the ramp, so no read leaves the ramp, whatever light is. light_down, a
- * constant: PH_LIGHT_DOWN, or PH_DITHERED_DOWN for a ramp that is dithered. */
+/* The top bits of light are the entry of the ramp, so no read leaves the ramp, whatever light is. light_down:
+ * PH_LIGHT_DOWN, or PH_DITHERED_DOWN for a ramp that is dithered. */
 static inline void ph_pixel_gouraud(uint16_t *pixel, uint16_t *depth, uint32_t d, uint32_t light, const uint16_t *ramp,
                                     unsigned light_down)
 {

@@ -1,5 +1,5 @@
 /* What a renderer with two cores links. See cores.h. */
-#include "bands.h"
+#include "band_rest.h"
 #include "cores.h"
 #include "mesh.h"
 #include "transform.h"

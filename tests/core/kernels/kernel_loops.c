@@ -2,7 +2,6 @@
  * The kernels (kernels.h) on random input: a line for each of them, with a hash of all that it left behind, the memory
  * round its rows included. tests/core/test_kernels.sh compares the lines of the C and of the assembly.
  */
-#include "dither.h"
 #include "cull.h"
 #include "fog.h"
 #include "fx.h"

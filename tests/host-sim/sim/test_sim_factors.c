@@ -144,8 +144,8 @@ static void scale_shift_and_persp_are_the_projection(void **state)
         const struct ph_projection lens = {.kind = i % 8 < 4 ? PH_PERSPECTIVE : PH_ORTHOGRAPHIC,
                                            .scale_x_q20 = (int32_t)(sx << 10),
                                            .scale_y_q20 = (int32_t)(sy << 10),
-                                           .shift_x = (fx_t)(ox << 6),
-                                           .shift_y = (fx_t)(oy << 6),
+                                           .shift_x = (fx_t)(ox * 64),
+                                           .shift_y = (fx_t)(oy * 64),
                                            .near_z = FX_INT(n),
                                            .far_z = FX_INT(f)};
         print(&somewhere, &lens, (struct sim_matrix_writing){convention, false});

@@ -1,6 +1,6 @@
-/* bands: what one core and two share to draw a band. Private to firmware/core. */
-#ifndef PH_BANDS_H
-#define PH_BANDS_H
+/* band_rest: what one core and two share to draw a band. Private to firmware/core. */
+#ifndef PH_BAND_REST_H
+#define PH_BAND_REST_H
 
 #include "feed.h"
 
