@@ -92,14 +92,14 @@ static void look(const struct ph_overlay_band *band, int32_t x, int32_t y, int32
 void __real_ph_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
                             const struct ph_overlay_style *style);
 void labels_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
-                            const struct ph_overlay_style *style);
+                         const struct ph_overlay_style *style);
 void __real_ph_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
                     const struct ph_overlay_style *style);
 void labels_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
-                    const struct ph_overlay_style *style);
+                 const struct ph_overlay_style *style);
 
 void labels_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
-                            const struct ph_overlay_style *style)
+                         const struct ph_overlay_style *style)
 {
     if (!at.bare) {
         look(band, x, y, ph_overlay_width(text, style->scale) - style->scale, text, style->scale);
@@ -108,7 +108,7 @@ void labels_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t 
 }
 
 void labels_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
-                    const struct ph_overlay_style *style)
+                 const struct ph_overlay_style *style)
 {
     if (!at.bare) {
         look(band, x, y, ph_text_width(text, style->scale), text, style->scale);

@@ -4,7 +4,7 @@
 #   emulate BOARD CORES FRAMES [KEYS] [option of emulate.mjs ...]
 #                                            runs the image of all demos; KEYS is a file for pinhole-sim --keys, or -
 #                                            (in the environment CHANGES=0: the image that sends whole frames, ISA=riscv,
-#                                            DITHER=8: the one that dithers light);
+#                                            DITHER=4: the one that dithers light);
 #                                            frames to $dir/seen, the UART to $dir/log, the wires to $dir/out/events
 #   expect BOARD FRAMES [KEYS]               pinhole-sim's frames, to $dir/expected
 #   sweep EACH                               keys that show every demo for EACH frames and press buttons, to $dir/keys

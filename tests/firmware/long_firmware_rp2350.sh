@@ -19,7 +19,7 @@ every_demo() { # board, cores, option of the emulator...
 }
 
 light_without_bands() { # board: frames of the first demo are pinhole-sim --dither's, and not those with bands
-    local DITHER=8
+    local DITHER=4
     image "$1" 2 && emulate "$1" 2 4 && expect "$1" 4 && same 4 && DITHER=0 expect "$1" 4 && ! same 4 >/dev/null
 }
 

@@ -296,7 +296,7 @@ static void draw_band(struct ph_feed *f, struct ph_band *rows, uint16_t *pixels)
 static const struct ph_antialiasing dithering = {
     .draw_samples = draw_band, .prepare = prepare, .set_kind = set_kind, .draw_long = draw_small};
 
-int ph_dither(struct ph_renderer *r, struct ph_dither *dither)
+int ph_dither(struct ph_renderer *r, struct ph_dither *dither) /* called as set_dither */
 {
     if (r == NULL || r->samples_log2 != 0 || (dither != NULL && dither->ramps == NULL)) {
         return PH_ERR_INVAL;
