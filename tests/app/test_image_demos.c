@@ -41,6 +41,8 @@ uint32_t image_tiles[1];
 const size_t image_memory_bytes = sizeof image_memory, image_tiles_bytes = sizeof image_tiles, image_ahead_bytes = 0;
 void *const image_ahead = NULL;
 const uint16_t image_clip_fps = DEMO_CLIPS_BY_CLOCK;
+struct ph_dither *const image_dither = NULL;
+int (*const image_set_dither)(struct ph_renderer *r, struct ph_dither *dither) = NULL;
 static uint32_t flash[64];
 const void *const image_scene = flash;
 const size_t image_scene_bytes = sizeof flash;

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "colour.h"
+#include "render.h"
 
 enum { WIDTH = 160, HEIGHT = 120, COLUMNS = 26, ROWS = 20, CELL = 7, CORNERS = COLUMNS * ROWS, EDGE = 6 };
 enum { FACES = 2 * (COLUMNS - 1) * (ROWS - 1), GRADIENTS = 6 };
