@@ -13,7 +13,7 @@ $(if $(strip $(B)),,$(error B= is empty: it names the build directory))
 BOARD_DIR ?=
 DEMO_DIR ?=
 PANEL_DIR ?=
-PINHOLE_VERSION := $(shell sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
+PINHOLE_VERSION := $(shell sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/status.h)
 BUDGET_CORE_BYTES ?= 112640
 
 # Returns the characters of $(1) that make or the shell would misread, or its second word; nothing if the name is safe.

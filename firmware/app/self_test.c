@@ -1,7 +1,7 @@
 /* See self_test.h. */
 #include "self_test.h"
 
-#include "version.h"
+#include "status.h"
 
 #define RATE_US     1000000U /* turntable: so long, or */
 #define RATE_FRAMES 16U      /* so many frames */

@@ -1,6 +1,6 @@
 /*
- * status: what a function returns, and functions that say in words what is wrong. 0 is done, a negative value is an
- * error, a positive value is a count.
+ * status: the version of Pinhole; what a function returns, and functions that say in words what is wrong. 0 is done, a
+ * negative value is an error, a positive value is a count.
  *
  * Every layer uses the same numbers, which are Linux's errno values negated. hal.h, which knows nothing of this
  * folder, gives some of them names of its own; firmware/app/runner.c asserts that equal names have equal values.
@@ -13,6 +13,11 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* The version, MAJOR.MINOR.PATCH, here and nowhere else. It follows semantic versioning 2.0: MAJOR grows when a program
+ * that used a public header no longer compiles or draws other bytes without a reason given, MINOR when something is
+ * new, PATCH when something is mended. Below 1.0.0 MINOR may do what MAJOR does. */
+#define PH_VERSION "0.9.0"
 
 /* What functions return: 0 or more is success. */
 enum ph_status {

@@ -121,7 +121,7 @@ arduino_small() {
     sed -nE 's|#include "\.\./(.*)\.c"|\1|p' "$core"/render/small/*.c | while read -r name; do
         cp "$core/render/$name.c" "$src/${name##*/}.inc"
     done
-    sed -i '/^#define PH_RENDER_H/a #define PH_PROFILE_SMALL' "$src/render.h"
+    sed -i '/^#define PH_SCENE_H/a #define PH_PROFILE_SMALL' "$src/scene.h"
     sed -i -E 's|#include "(\.\./)+|#include "|; s|#include <(matvec.h)>|#include "\1"|' "$src"/*
     library "$to"
     sed -i 's/^name=Pinhole/&-small/' "$to/library.properties"

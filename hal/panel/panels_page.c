@@ -53,44 +53,13 @@ static const uint8_t ssd1306_init_64[] = {SSD1306_COMMON(64, 0x12), 0x81, 1, 0xC
 static const uint8_t ssd1306_init_32[] = {SSD1306_COMMON(32, 0x02), 0x81, 1, 0x8F};
 static const uint8_t ssd1306_init_40[] = {SSD1306_COMMON(40, 0x12), 0x81, 1, 0xCF, 0xAD, 1, 0x30}; /* SSD1306B: IREF */
 
+/* 10.1.22 unlock; by pages; contrast; pre-charge: 5 and 2 clocks; VCOMH 0.78 VCC; scrolling off */
 static const uint8_t ssd1309_init[] = {
-    0xFD,
-    1,
-    0x12, /* 10.1.22 unlock */
-    PAGE_COMMON(64, 0x12),
-    0x20,
-    1,
-    0x02,
-    0x81,
-    1,
-    0x6F, /* pages; contrast */
-    0xD9,
-    1,
-    0x25, /* pre-charge: 5 and 2 clocks */
-    0xDB,
-    1,
-    0x34, /* VCOMH 0.78 VCC */
-    0x2E,
-    0, /* scrolling off */
-};
+    0xFD, 1, 0x12, PAGE_COMMON(64, 0x12), 0x20, 1, 0x02, 0x81, 1, 0x6F, 0xD9, 1, 0x25, 0xDB, 1, 0x34, 0x2E, 0};
 
+/* DC-DC converter on, 8 V; contrast, as after reset; dis-charge 15, pre-charge 1 clocks; VCOM deselect 0.77 VREF */
 static const uint8_t sh1106_init[] = {
-    PAGE_COMMON(64, 0x12),
-    0xAD,
-    1,
-    0x8B,
-    0x32,
-    0, /* DC-DC converter on, 8 V */
-    0x81,
-    1,
-    0x80, /* contrast, as after reset */
-    0xD9,
-    1,
-    0x1F, /* dis-charge 15, pre-charge 1 clocks */
-    0xDB,
-    1,
-    0x40, /* VCOM deselect 0.77 VREF */
-};
+    PAGE_COMMON(64, 0x12), 0xAD, 1, 0x8B, 0x32, 0, 0x81, 1, 0x80, 0xD9, 1, 0x1F, 0xDB, 1, 0x40};
 
 #define PAGE_PANEL(n, of, w, h, columns, left, table)                                                                  \
     {                                                                                                                  \

@@ -3,7 +3,7 @@
 
 #include "complain.h"
 #include "progress.h"
-#include "version.h"
+#include "status.h"
 
 #include <errno.h>
 #include <signal.h>

@@ -10,7 +10,7 @@
 #include "boards.h"
 #include "self_test.h"
 #include "sim.h"
-#include "version.h"
+#include "status.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /*
- * Decals that lie in the plane of their surface: with the recipe of render.h (PH_DECAL_SLOPE) every pixel of a decal
+ * Decals that lie in the plane of their surface: with the recipe of scene.h (PH_DECAL_SLOPE) every pixel of a decal
  * shows, and none shows through a card a quarter of the distance before it. Random lenses, tilts up to 89 degrees,
  * turns and sizes; all corners lie exactly in one plane. And depth_bias beyond its range: one surface has one depth.
  */

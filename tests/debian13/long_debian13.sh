@@ -57,7 +57,7 @@ picotool_reads_images() {
 
 picotool_shows_what_the_image_is() {
     local kind line version
-    version=$(sed -n 's/^#define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
+    version=$(sed -n 's/^#define PH_VERSION "\(.*\)"/\1/p' firmware/core/status.h)
     for kind in uf2 elf; do
         debian13 picotool info -a "$image.$kind" | tr -s ' ' | tee /dev/stderr >"$debian13_root/tmp/info" || return 1
         for line in 'name: Pinhole demos' "version: $version" 'pico_board: pico-display' 'build attributes: CORES=1 CHANGES=1' 'features: takes a scene at 0x10080000' '0: UART0 TX' \
@@ -70,7 +70,7 @@ picotool_shows_what_the_image_is() {
 # Every RP2350 board. The images are built outside: the compiler for RISC-V is a package of the tests there.
 picotool_knows_rp2350_images() { # ISA, suffix of the image, family, image type
     local board line kind version
-    version=$(sed -n 's/^#define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
+    version=$(sed -n 's/^#define PH_VERSION "\(.*\)"/\1/p' firmware/core/status.h)
     for board in $(rp2350_boards); do
         make -s -j"$(nproc)" B="$B" firmware BOARD="$board" ISA="$1" || return 1
         for kind in uf2 elf bin; do

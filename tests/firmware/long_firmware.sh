@@ -62,7 +62,7 @@ binary_info() { # of an RP2040 image
 }
 
 binary_info_is_there() { # as picotool shows it; see tests/debian13
-    firmware BOARD=pico-display >/dev/null && binary_info pico-display-demos | diff - <(printf '%s\n' 'name Pinhole demos' "version $(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)" 'board pico-display' \
+    firmware BOARD=pico-display >/dev/null && binary_info pico-display-demos | diff - <(printf '%s\n' 'name Pinhole demos' "version $(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/status.h)" 'board pico-display' \
         'boot2 boot2.S, command EBh or 03h' 'attribute CORES=1 CHANGES=1' 'feature takes a scene at 0x10080000' "end $((0x10000000 + $(stat -c %s "$B/firmware/pico-display-demos.bin")))" \
         'pin 0 function 2' 'pin 1 function 2' 'pin 18 function 1' 'pin 19 function 1' 'pin 18 clock' 'pin 19 data' 'pin 17 chip select' \
         'pin 16 D/C' 'pin 20 backlight' 'pin 12 button up' 'pin 13 button down' 'pin 14 button left' 'pin 15 button right')

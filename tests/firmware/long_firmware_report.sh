@@ -12,7 +12,7 @@ export B=${B:-build}
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
-version=$(sed -n 's/.*PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
+version=$(sed -n 's/.*PH_VERSION "\(.*\)"/\1/p' firmware/core/status.h)
 compiler="gcc $(echo __VERSION__ | arm-none-eabi-gcc -E -P - | tr -d '"')"
 
 # What stands between the marks, to $dir/report.

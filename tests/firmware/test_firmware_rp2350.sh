@@ -90,7 +90,7 @@ uf2_holds_the_bin() { # family
 binary_info() { od -An -v -tu1 -w16 "$image.bin" | awk -v rp2350=1 -f tests/firmware/binary_info.awk; }
 
 image_tells_what_it_is() {
-    binary_info | diff - <(printf '%s\n' 'name Pinhole demos' "version $(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)" "board $board" \
+    binary_info | diff - <(printf '%s\n' 'name Pinhole demos' "version $(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/status.h)" "board $board" \
         "attribute ISA=$isa" 'attribute CORES=2 CHANGES=1' 'feature takes a scene at 0x10080000' "end $((0x10000000 + $(stat -c %s "$image.bin")))" \
         'pin 0 function 2' 'pin 1 function 2' 'pin 18 function 1' 'pin 19 function 1' 'pin 18 clock' 'pin 19 data' 'pin 17 chip select' \
         'pin 16 D/C' 'pin 20 backlight' 'pin 12 button up' 'pin 13 button down' 'pin 14 button left' 'pin 15 button right')

@@ -221,7 +221,7 @@ static struct model *with_alpha(const char *factor, const char *mode)
     return with_material(material, "alpha.png", "");
 }
 
-/* What is drawn has an alpha of at least one half in the texture of greys: render.h. */
+/* What is drawn has an alpha of at least one half in the texture of greys: scene.h. */
 static void a_mask_cuts_out_below_its_cut_off(void **state)
 {
     static const struct {

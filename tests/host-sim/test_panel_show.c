@@ -12,7 +12,7 @@
 #include "panel_show.h"
 #include "self_test.h"
 #include "sim.h"
-#include "version.h"
+#include "status.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -57,7 +57,7 @@ depth_format() {
 }
 
 shading() { # flat, half as bright
-    sed -i 's/^#define PH_SHADE_GOURAUD .*/#define PH_SHADE_MADE_UP (\&ph_shade_made_up)\n&/; s/^extern const struct ph_shading /extern const struct ph_shading ph_shade_made_up;\n&/' firmware/core/render.h
+    sed -i 's/^#define PH_SHADE_GOURAUD .*/#define PH_SHADE_MADE_UP (\&ph_shade_made_up)\n&/; s/^extern const struct ph_shading /extern const struct ph_shading ph_shade_made_up;\n&/' firmware/core/scene.h
     cat >firmware/core/render/made_up.c <<'EOT'
 /* Flat shading, half as bright. */
 #include "mesh.h"
@@ -72,7 +72,7 @@ static const struct ph_lighting half = {.light_prepare = ph_light_prepare, .ligh
 
 const struct ph_shading ph_shade_made_up = {.corners = PH_FIRST_CORNER, .lighting = &half};
 EOT
-    took 5 firmware/core/render.h firmware/core/render/made_up.c
+    took 5 firmware/core/scene.h firmware/core/render/made_up.c
 }
 
 cpu() { # which clears a picture in its own way

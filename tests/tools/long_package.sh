@@ -12,7 +12,7 @@ dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 stage=$dir/stage
 export PKG_CONFIG_PATH=$stage/lib/pkgconfig
-version=$(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
+version=$(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/status.h)
 
 run() { make -s -j2 B="$B/package" ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb "$@"; }
 

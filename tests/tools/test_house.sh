@@ -156,7 +156,7 @@ misspelt() { # folder...
 
 # Functions of these headers, but of the renderer's, that a test does not name.
 uncalled() { # test, header...
-    find "${@:2}" ! -name render.h -exec grep -hoE '^[a-z][a-z0-9_ ]*[ *](fx|ph)_[a-z0-9_]+\(' {} + | grep -oE '[a-z0-9_]+\($' | tr -d '(' | sort -u |
+    find "${@:2}" ! -name render.h ! -name scene.h -exec grep -hoE '^[a-z][a-z0-9_ ]*[ *](fx|ph)_[a-z0-9_]+\(' {} + | grep -oE '[a-z0-9_]+\($' | tr -d '(' | sort -u |
         grep -vxFf <(grep -oE '[A-Za-z0-9_]+' "$1") | sed "s|^|$1 does not call |"
 }
 
@@ -220,6 +220,16 @@ walls() {
         wall host-sim/common "$(header_of host-sim/model)" && wall host-sim/emulate/rp2350 hal.h && wall host-sim/emulate/registers complain.h && wall host-sim/depth "$(header_of firmware/core/kernels)"
 }
 
+# Lines of lists of wrong writes (tests/hal/long_wrong_writes.sh) whose sed expression changes nothing in its file.
+idle_changes() { # list...
+    local line what file change
+    grep -hv '^#' "$@" | while IFS= read -r line; do
+        what=${line%% | *} line=${line#* | * | }
+        file=${line%% | *} change=${line#* | }
+        ! sed -e "$change" "$file" | cmp -s - "$file" || echo "changes nothing: $what"
+    done
+}
+
 a_hole() { wall firmware/core/render render.h; } # which every room of the core may include
 
 make -s -j2 B="$B" all >"$dir/made" 2>&1 || { cat "$dir/made" && exit 1; }
@@ -261,6 +271,9 @@ check "no linker script, Makefile or awk program has a function's name" none nam
 check "... a section's is seen" sees 'named.ld: .text.merge$' a_named_function '*render/bands.o(.text.merge .text.*)'
 check "... and any other" sees 'named.ld: ph_draw_band$' a_named_function 'from ph_draw_band on'
 check "... but no tier" none a_named_function '*(.tier.mesh.*) *(.text .text.*)'
+check "each wrong write changes its file" none idle_changes tests/hal/wrong_writes/*.txt
+echo 'nothing | board | Makefile | s/^no such line$//' >"$dir/idle.txt"
+check "... one that does not is seen" sees '^changes nothing: nothing$' idle_changes "$dir/idle.txt"
 check "no room can include what is another's" walls
 check "... a wall with a hole is seen" sees 'can include render.h' a_hole
 tap_end

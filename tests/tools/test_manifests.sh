@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
 dir=$(mktemp -d) && trap 'rm -rf "$dir"' EXIT
-version=$(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
+version=$(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/status.h)
 url=https://pinhole.example.org
 eval "$(grep '^fill()' firmware/package/dist.sh)"
 for name in library.properties idf_component.yml library.json; do

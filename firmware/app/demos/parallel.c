@@ -84,22 +84,34 @@ static struct ph_projection all_rails(const struct demo_context *half)
                                   .far_z = FX_INT(30)};
 }
 
+/* Begins a frame with a camera that looks down from high above, for the left half. */
+static int begin_from_above(struct demo_context *context, struct ph_renderer *r)
+{
+    const struct demo_context half = demo_half(context);
+    struct ph_projection flat = demo_below(all_rails(&half), half.height, demo_strip(context, 1));
+    const struct ph_xform view = demo_look(0, FX_INT(5), RAILS_MIDDLE + FX_ONE * 83 / 10, 0, FX_ONE / 4, RAILS_MIDDLE);
+    flat = demo_in_half(context, flat, false);
+    return demo_begin(context, r, &view, &flat, &demo_daylight, ph_rgb565(14, 20, 34));
+}
+
+/* Goes on with a camera that stands on the rails, for the right half. */
+static int go_on_from_the_rails(struct demo_context *context, struct ph_renderer *r)
+{
+    const struct demo_context half = demo_half(context);
+    struct ph_projection deep = demo_perspective(&half, DEMO_SCALE_60_Q20, FX_HALF, SKY);
+    const struct ph_xform view = demo_look(0, EYE_HEIGHT, 0, 0, EYE_HEIGHT - FX_ONE / 4, -FX_ONE);
+    deep = demo_in_half(context, demo_below(deep, half.height, demo_strip(context, 1)), true);
+    return demo_camera(context, r, &view, &deep);
+}
+
 static int parallel_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct parallel *const p = context->state;
-    const struct demo_context half = demo_half(context);
-    struct ph_projection deep = demo_perspective(&half, DEMO_SCALE_60_Q20, FX_HALF, SKY);
-    struct ph_projection flat = all_rails(&half);
-    const struct ph_xform from_above =
-        demo_look(0, FX_INT(5), RAILS_MIDDLE + FX_ONE * 83 / 10, 0, FX_ONE / 4, RAILS_MIDDLE);
-    const struct ph_xform from_rails = demo_look(0, EYE_HEIGHT, 0, 0, EYE_HEIGHT - FX_ONE / 4, -FX_ONE);
-    deep = demo_in_half(context, demo_below(deep, half.height, demo_strip(context, 1)), true);
-    flat = demo_in_half(context, demo_below(flat, half.height, demo_strip(context, 1)), false);
-    int status = demo_begin(context, r, &from_above, &flat, &demo_daylight, ph_rgb565(14, 20, 34));
+    int status = begin_from_above(context, r);
     status = status ? status : draw_railway(r, p, frame);
-    status = status ? status : demo_camera(context, r, &from_rails, &deep);
+    status = status ? status : go_on_from_the_rails(context, r);
+    status = status ? status : draw_railway(r, p, frame);
     if (status == PH_OK) {
-        status = draw_railway(r, p, frame);
         draw_mark(r, p);
     }
     return status;

@@ -10,14 +10,7 @@
 #include "bands_loop.h"
 
 #include "coarse.h"
-#include "cores.h"
-#include "feed.h"
-#include "fog.h"
-#include "kernels.h"
-#include "points.h"
-#include "raster.h"
 #include "samples.h"
-#include "setup.h"
 
 /* ---- set-up ----------------------------------------------------------------------------------------------------- */
 

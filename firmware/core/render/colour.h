@@ -26,4 +26,36 @@ static inline uint32_t ph_ramp_channel(uint32_t channel, uint32_t intensity, uin
     return ((lit * top + up) >> 16) * 32897 >> 23; /* n / 255 of 16 bits: no CPU needs to divide */
 }
 
+/* The colour, 0 .. 255 a channel, at an intensity, in wire order. up: as for a channel. */
+static inline uint16_t ph_ramp_colour(const uint32_t colour[3], uint32_t intensity, uint32_t up)
+{
+    return ph_wire16((uint16_t)(ph_ramp_channel(colour[0], intensity, 31, up) << 11 |
+                                ph_ramp_channel(colour[1], intensity, 63, up) << 5 |
+                                ph_ramp_channel(colour[2], intensity, 31, up)));
+}
+
+/* The entries of a ramp one after the other, each with its intensity, without a division for each. */
+struct ph_ramp_walk {
+    uint32_t entry, intensity; /* (full * step + 59) / 119, step = 0 .. 119; full: that of entry 123 */
+    uint32_t rest;             /* what the division leaves */
+    uint32_t whole, part;      /* full / 119, and what that leaves */
+};
+
+static inline struct ph_ramp_walk ph_ramp_begin(fx_t specular)
+{
+    const uint32_t full = FX_ONE + (uint32_t)(specular < 0 ? 0 : specular > FX_ONE ? FX_ONE : specular);
+    const uint32_t whole = (uint32_t)fx_quotient_u64(full, 119);
+    return (struct ph_ramp_walk){0, 0, 59, whole, full - 119 * whole};
+}
+
+static inline void ph_ramp_next(struct ph_ramp_walk *at)
+{
+    at->entry++;
+    if (at->entry > 4 && at->entry <= 123) {
+        at->rest += at->part;
+        at->intensity += at->whole + (at->rest >= 119);
+        at->rest -= at->rest >= 119 ? 119 : 0;
+    }
+}
+
 #endif

@@ -29,8 +29,8 @@ enum {
     STEP_BITS = 32 - STEPS_LOG2, /* below them light has its entry and what lies between entries */
 };
 
-#define STEP_X ((uint32_t)3 << STEP_BITS) /* from column to column */
-#define STEP_Y ((uint32_t)7 << STEP_BITS) /* from row to row */
+#define STEP_X ((uint32_t)3 << STEP_BITS)        /* from column to column */
+#define STEP_Y (0u - ((uint32_t)1 << STEP_BITS)) /* from row to row; of 8 steps 7 down is one up */
 
 /* Light or its gradient, to make room for the step. */
 static inline uint32_t scaled(uint32_t light)
@@ -45,7 +45,7 @@ static inline void dither_rows(struct ph_small_triangle *small, int32_t y)
 {
     const uint32_t from = small->left >> 16, gx = scaled(small->glight);
     const uint32_t light = small->light + from * small->glight; /* unlike that at column 0, it has not wrapped */
-    small->light = (light >> STEPS_LOG2) - from * gx + (uint32_t)y * STEP_Y;
+    small->light = (light >> STEPS_LOG2) - from * gx - ((uint32_t)y << STEP_BITS); /* y STEP_Y */
     small->glight = gx + STEP_X;
     small->light_dy = scaled(small->light_dy) + STEP_Y;
 }
@@ -76,18 +76,11 @@ static void set_kind(const struct ph_setting *s, struct ph_triangle *t, bool has
     make_dithered(t, s->antialiasing);
 }
 
-/* Draws a small triangle without a knee that lies in the band. */
-static inline uint32_t draw_whole(const struct ph_triangle *t, const struct ph_band *band)
-{
-    const uint32_t stride = band->stride, start = (uint32_t)(t->y_top - band->y0) * stride;
-    return ph_small_dithered(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
-}
-
 /* Draws a small triangle in dithered light; see struct ph_antialiasing. */
 static uint32_t draw_small(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->block == PH_BLOCK_NONE && t->y_top >= band->y0 && t->y_bottom <= band->y1 && t->as.small.rows.knee == 0) {
-        return draw_whole(t, band);
+        return ph_draw_whole(t, band, ph_small_dithered);
     }
     struct ph_small_triangle r = t->as.small.rows;
     struct ph_place at = ph_cut_rows(t, band, &r);
@@ -130,14 +123,6 @@ static const struct ph_shading shading = {.corners = PH_EACH_CORNER, .gouraud = 
 /* Thresholds of the steps, in 16ths: what is added before a channel is rounded down. Step 0 rounds to nearest. */
 static const uint8_t thresholds[PH_DITHER_STEPS] = {8, 11, 13, 15, 1, 3, 5, 7};
 
-/* The intensity of an entry of a ramp, as ph_material_ramp has it. */
-static uint32_t intensity_of(uint32_t entry, fx_t specular)
-{
-    const uint32_t full = FX_ONE + (uint32_t)(specular < 0 ? 0 : specular > FX_ONE ? FX_ONE : specular);
-    const uint32_t step = entry < 4 ? 0 : entry > 123 ? 119 : entry - 4;
-    return (uint32_t)fx_quotient_u64((uint64_t)full * step + 59, 119);
-}
-
 static const struct {
     uint8_t from, top; /* bit of the channel in RGB565, and its largest value */
 } channels[3] = {{11, 31}, {5, 63}, {0, 31}};
@@ -148,8 +133,9 @@ static const struct {
 static bool find_colour(const struct ph_material *material, uint32_t colour[3])
 {
     uint32_t low[3] = {0, 0, 0}, high[3] = {255, 255, 255};
-    for (uint32_t i = 0; i < PH_RAMP_SIZE; i++) {
-        const uint32_t intensity = intensity_of(i, material->specular), entry = ph_wire16(material->ramp[i]);
+    struct ph_ramp_walk at = ph_ramp_begin(material->specular);
+    for (; at.entry < PH_RAMP_SIZE; ph_ramp_next(&at)) {
+        const uint32_t intensity = at.intensity, entry = ph_wire16(material->ramp[at.entry]);
         for (int k = 0; k < 3; k++) {
             const uint32_t top = channels[k].top, value = entry >> channels[k].from & top;
             while (low[k] <= high[k] && ph_ramp_channel(low[k], intensity, top, PH_RAMP_NEAREST) < value) {
@@ -173,16 +159,12 @@ static void make_ramps(struct ph_dithered_ramp *to, const struct ph_material *ma
     uint32_t colour[3];
     const bool found = find_colour(material, colour);
     to->ramp = material->ramp;
-    for (uint32_t i = 0; i < PH_RAMP_SIZE; i++) {
-        const uint32_t intensity = intensity_of(i, material->specular);
-        to->colours[i] = material->ramp[i];
+    for (struct ph_ramp_walk at = ph_ramp_begin(material->specular); at.entry < PH_RAMP_SIZE; ph_ramp_next(&at)) {
+        to->colours[at.entry] = material->ramp[at.entry];
         for (uint32_t step = 1; step < PH_DITHER_STEPS; step++) {
-            uint32_t entry = 0;
-            for (int k = 0; found && k < 3; k++) {
-                entry |= ph_ramp_channel(colour[k], intensity, channels[k].top, PH_RAMP_NEAREST / 8 * thresholds[step])
-                         << channels[k].from;
-            }
-            to->colours[step * PH_RAMP_SIZE + i] = found ? ph_wire16((uint16_t)entry) : material->ramp[i];
+            to->colours[step * PH_RAMP_SIZE + at.entry] =
+                found ? ph_ramp_colour(colour, at.intensity, PH_RAMP_NEAREST / 8 * thresholds[step])
+                      : material->ramp[at.entry];
         }
     }
 }
@@ -246,7 +228,7 @@ static inline bool draw_fast(const struct ph_feed *f, const struct ph_ref *ref, 
         make_dithered(t, s->antialiasing);
         return false;
     }
-    *fragments += draw_whole(t, rows);
+    *fragments += ph_draw_whole(t, rows, ph_small_dithered);
     return true;
 }
 
@@ -263,10 +245,12 @@ static inline uint32_t draw_above(struct ph_triangle *t, const struct ph_band *b
                                                : ph_draw_above(t, band);
 }
 
-/* See bands_loop.h. */
+/* See bands_loop.h. One that was stepped down to the band stands at its first row. */
 static inline uint32_t draw_end(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return is_plain(t) && t->y_top >= band->y0 ? draw_whole(t, band) : ph_draw_end(t, band);
+    return is_plain(t) && t->y_top == band->y0
+               ? ph_small_dithered(&t->as.small.rows, band->depth, band->pixels, 2 * (uint32_t)band->stride)
+               : ph_draw_end(t, band);
 }
 
 static const struct ph_fast_draws fast = {.draw_whole = draw_fast, .draw_above = draw_above, .draw_end = draw_end};

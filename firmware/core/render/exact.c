@@ -114,7 +114,7 @@ PH_TIER(seldom) static void lift_linear(const struct ph_exact *e, struct ph_line
     linear->bias = (uint8_t)(bias + more < 255 ? bias + more : 255);
 }
 
-/* Moves the plane towards the viewer: see depth_bias_slope in render.h. */
+/* Moves the plane towards the viewer: see depth_bias_slope in scene.h. */
 PH_TIER(seldom)
 static void lift(struct ph_exact *e, const struct ph_exact_ways *ways, struct ph_linear *linear, uint32_t slope)
 {

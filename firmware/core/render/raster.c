@@ -34,8 +34,7 @@ static inline bool can_step(const struct ph_triangle *t)
 PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->kind == PH_KIND_SMALL && t->y_top >= band->y0 && t->y_bottom <= band->y1) {
-        const uint32_t stride = band->stride, start = (uint32_t)(t->y_top - band->y0) * stride;
-        return ph_small_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
+        return ph_draw_whole(t, band, ph_small_gouraud);
     }
     if (t->kind == PH_KIND_SMALL_TEXTURE) {
         return t->block == PH_BLOCK_NONE ? t->material->shading->texturing.draw_texels(t, band)

@@ -8,14 +8,21 @@
 /* Draws the part of a triangle that lies in the band. Returns the pixels tested. */
 uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band);
 
+/* Draws a small triangle without a knee that lies in the band. */
+static inline uint32_t ph_draw_whole(const struct ph_triangle *t, const struct ph_band *band,
+                                     ph_gouraud_kernel *draw_gouraud)
+{
+    const uint32_t stride = band->stride, start = (uint32_t)(t->y_top - band->y0) * stride;
+    return draw_gouraud(&t->as.small.rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
+}
+
 /* Draws a triangle that ends in the band: ph_draw_triangle does so too, but a small one is found sooner here. */
 static inline uint32_t ph_draw_fresh(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->kind != PH_KIND_SMALL || t->y_top < band->y0) {
         return ph_draw_triangle(t, band);
     }
-    const uint32_t stride = band->stride, first = (uint32_t)(t->y_top - band->y0) * stride;
-    return ph_small_gouraud(&t->as.small.rows, (uint16_t *)band->depth + first, band->pixels + first, 2 * stride);
+    return ph_draw_whole(t, band, ph_small_gouraud);
 }
 
 /* Draws a triangle that ends in the band and was carried on to it: a small one stands at the first row. */

@@ -22,15 +22,6 @@ struct ph_place {
     uint32_t light_down; /* PH_LIGHT_DOWN, or PH_DITHERED_DOWN */
 };
 
-/* Steps edges, depth and light n rows down, which are fewer than the upper ones or end with them. */
-static inline void ph_step_upper(struct ph_small_triangle *r, uint32_t n)
-{
-    r->left += n * r->left_dx;
-    r->right += n * r->right_dx;
-    r->d += n * r->d_dy;
-    r->light += n * r->light_dy;
-}
-
 /* Steps n rows down, which are the upper ones and so many of the lower ones; those that are left become the upper rows.
  */
 static inline void ph_skip_to_lower_rows(struct ph_small_triangle *r, uint32_t n, uint32_t lower, uint32_t left)
@@ -55,7 +46,7 @@ static inline void ph_skip_to_lower_rows(struct ph_small_triangle *r, uint32_t n
 static inline void ph_skip_rows_of(struct ph_small_triangle *r, uint32_t n)
 {
     if (n < r->upper_rows || r->lower_rows == 0) {
-        ph_step_upper(r, n);
+        ph_small_step(r, n);
         r->upper_rows = (uint16_t)(r->upper_rows - n);
     } else {
         const uint32_t lower = n - r->upper_rows;
@@ -79,7 +70,7 @@ static inline uint32_t ph_draw_above_with(struct ph_triangle *t, const struct ph
         small->upper_rows = (uint16_t)rows;
         small->lower_rows = 0;
         const uint32_t count = draw_gouraud(small, depth, pixels, 2 * stride);
-        ph_step_upper(small, rows);
+        ph_small_step(small, rows);
         small->upper_rows = (uint16_t)(upper_rows - rows);
         small->lower_rows = (uint16_t)lower_rows;
         return count;

@@ -57,6 +57,15 @@ static inline uint32_t ph_knee_code(uint32_t d, uint32_t knee)
     return d < knee ? 2 * d - knee : d;
 }
 
+/* Steps edges, depth and light n rows down, within the upper rows or to their end. */
+static inline void ph_small_step(struct ph_small_triangle *small, uint32_t n)
+{
+    small->left += n * small->left_dx;
+    small->right += n * small->right_dx;
+    small->d += n * small->d_dy;
+    small->light += n * small->light_dy;
+}
+
 /* Goes on from the upper rows to the lower ones: the lower edge becomes the left or the right one. */
 static inline void ph_small_lower(struct ph_small_triangle *small)
 {

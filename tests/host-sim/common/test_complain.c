@@ -7,7 +7,7 @@
 
 #include "complain.h"
 #include "stderr_capture.h"
-#include "version.h"
+#include "status.h"
 
 #include <signal.h>
 #include <stdio.h>

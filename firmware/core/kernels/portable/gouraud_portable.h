@@ -8,10 +8,9 @@
 #include "edge.h"
 #include "span.h"
 
-/* ph_small_gouraud of kernels.h. */
 /* Draws as many rows between the edges of r, which then stand at the row below. */
-static inline uint32_t small_rows_between(struct ph_small_triangle *r, uint32_t rows, uint16_t *depth, uint16_t *pixels,
-                                          uint32_t stride_bytes, unsigned light_down)
+static inline uint32_t draw_small_rows(struct ph_small_triangle *r, uint32_t rows, uint16_t *depth, uint16_t *pixels,
+                                       uint32_t stride_bytes, unsigned light_down)
 {
     const uint16_t *const ramp = r->ramp;
     const uint32_t gd = r->gd, glight = r->glight;
@@ -32,34 +31,16 @@ static inline uint32_t small_rows_between(struct ph_small_triangle *r, uint32_t 
             ph_pixel_gouraud(&pixels[x], &depth[x], d, light, ramp, light_down);
         }
         count += (int32_t)(to - from) > 0 ? to - from : 0;
-        r->left += r->left_dx;
-        r->right += r->right_dx;
-        r->d += r->d_dy;
-        r->light += r->light_dy;
+        ph_small_step(r, 1);
         depth = ph_row_below(depth, stride_bytes);
         pixels = ph_row_below(pixels, stride_bytes);
     }
     return count;
 }
 
-static inline uint32_t small_draw_portable(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
-                                           uint32_t stride_bytes, unsigned light_down)
-{
-    struct ph_small_triangle r = *small;
-    const uint32_t above = r.upper_rows * stride_bytes;
-    const uint32_t count = small_rows_between(&r, r.upper_rows, depth, pixels, stride_bytes, light_down);
-    if (r.lower_rows == 0) {
-        return count;
-    }
-    ph_small_lower(&r);
-    return count + small_rows_between(&r, r.upper_rows, ph_row_below(depth, above), ph_row_below(pixels, above),
-                                      stride_bytes, light_down);
-}
-
-/* ph_small_knee of kernels.h. */
-/* Draws as many rows between the edges of r, which then stand at the row below. */
-static inline uint32_t knee_rows_between(struct ph_small_triangle *r, uint32_t rows, uint16_t *depth, uint16_t *pixels,
-                                         uint32_t stride_bytes, unsigned light_down)
+/* Draws as many rows with a knee between the edges of r, which then stand at the row below. */
+static inline uint32_t draw_knee_rows(struct ph_small_triangle *r, uint32_t rows, uint16_t *depth, uint16_t *pixels,
+                                      uint32_t stride_bytes, unsigned light_down)
 {
     const uint16_t *const ramp = r->ramp;
     const uint32_t gd = r->gd, glight = r->glight, knee = r->knee;
@@ -76,33 +57,34 @@ static inline uint32_t knee_rows_between(struct ph_small_triangle *r, uint32_t r
             }
             count += (uint32_t)(to - from);
         }
-        r->left += r->left_dx;
-        r->right += r->right_dx;
-        r->d += r->d_dy;
-        r->light += r->light_dy;
+        ph_small_step(r, 1);
         depth = ph_row_below(depth, stride_bytes);
         pixels = ph_row_below(pixels, stride_bytes);
     }
     return count;
 }
 
-static inline uint32_t knee_draw_portable(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
-                                          uint32_t stride_bytes, unsigned light_down)
+/* Draws the upper rows and then the lower ones, all by draw_rows, a constant. */
+static inline __attribute__((always_inline)) uint32_t
+draw_halves(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes,
+            unsigned light_down,
+            uint32_t (*draw_rows)(struct ph_small_triangle *r, uint32_t rows, uint16_t *depth, uint16_t *pixels,
+                                  uint32_t stride_bytes, unsigned light_down))
 {
     struct ph_small_triangle r = *small;
     const uint32_t above = r.upper_rows * stride_bytes;
-    const uint32_t count = knee_rows_between(&r, r.upper_rows, depth, pixels, stride_bytes, light_down);
+    const uint32_t count = draw_rows(&r, r.upper_rows, depth, pixels, stride_bytes, light_down);
     if (r.lower_rows == 0) {
         return count;
     }
     ph_small_lower(&r);
-    return count + knee_rows_between(&r, r.upper_rows, ph_row_below(depth, above), ph_row_below(pixels, above),
-                                     stride_bytes, light_down);
+    return count + draw_rows(&r, r.upper_rows, ph_row_below(depth, above), ph_row_below(pixels, above), stride_bytes,
+                             light_down);
 }
 
-/* ph_long_gouraud of kernels.h. */
-static inline uint32_t long_draw_portable(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
-                                          uint32_t stride_bytes, unsigned light_down)
+/* Draws rows of any length, cut to the picture; see ph_long_gouraud in kernels.h. */
+static inline uint32_t draw_long_rows(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+                                      uint32_t stride_bytes, unsigned light_down)
 {
     const uint32_t width = stride_bytes / 2;
     struct ph_small_triangle r = *rows;
@@ -115,10 +97,7 @@ static inline uint32_t long_draw_portable(const struct ph_small_triangle *rows, 
                                 r.light + r.glight * from, r.glight, r.ramp, light_down);
                 count += columns;
             }
-            r.left += r.left_dx;
-            r.right += r.right_dx;
-            r.d += r.d_dy;
-            r.light += r.light_dy;
+            ph_small_step(&r, 1);
             depth = ph_row_below(depth, stride_bytes);
             pixels = ph_row_below(pixels, stride_bytes);
         }

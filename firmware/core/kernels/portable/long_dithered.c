@@ -5,5 +5,5 @@
 uint32_t ph_long_dithered(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes)
 {
-    return long_draw_portable(rows, depth, pixels, stride_bytes, PH_DITHERED_DOWN);
+    return draw_long_rows(rows, depth, pixels, stride_bytes, PH_DITHERED_DOWN);
 }

@@ -5,5 +5,5 @@
 uint32_t ph_small_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes)
 {
-    return small_draw_portable(rows, depth, pixels, stride_bytes, PH_LIGHT_DOWN);
+    return draw_halves(rows, depth, pixels, stride_bytes, PH_LIGHT_DOWN, draw_small_rows);
 }

@@ -4,5 +4,5 @@
 
 uint32_t ph_small_knee(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
-    return knee_draw_portable(rows, depth, pixels, stride_bytes, PH_LIGHT_DOWN);
+    return draw_halves(rows, depth, pixels, stride_bytes, PH_LIGHT_DOWN, draw_knee_rows);
 }

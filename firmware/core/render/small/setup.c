@@ -46,7 +46,7 @@ static uint32_t draw_rows(struct ph_small_triangle *r, int32_t y, const struct p
                                 r->light + r->glight * from, r->glight, r->ramp, PH_LIGHT_DOWN);
                 count += columns;
             }
-            ph_step_upper(r, 1);
+            ph_small_step(r, 1);
             r->upper_rows--;
             depth += stride;
             pixels += stride;
