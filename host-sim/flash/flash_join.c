@@ -61,11 +61,11 @@ static void put_u32(uint8_t *to, uint32_t value)
     }
 }
 
-/* Writes the scene's blocks behind those of the image, with the header that the image's last block has. */
-static void put_scene(uint8_t *to, const uint8_t *last, uint32_t number, const uint8_t *scene, size_t n)
+/* Writes the scene's blocks, with a header like that of a block of the image. */
+static void put_scene(uint8_t *to, const uint8_t *like, uint32_t number, const uint8_t *scene, size_t n)
 {
     for (size_t at = 0; at < n; at += FLASH_PAGE, to += FLASH_UF2_BLOCK) {
-        memcpy(to, last, FLASH_UF2_BLOCK);
+        memcpy(to, like, FLASH_UF2_BLOCK);
         put_u32(to + ADDRESS_AT, FLASH_BASE + FLASH_SCENE + (uint32_t)at);
         put_u32(to + NUMBER_AT, number++);
         memset(to + FLASH_UF2_HEADER, 0, FLASH_PAGE);
@@ -87,7 +87,7 @@ uint8_t *flash_join(const uint8_t *uf2, size_t n, const uint8_t *scene, size_t s
     }
     const size_t first = flash_uf2_first(uf2, n);
     memcpy(joined, uf2, n);
-    put_scene(joined + n, uf2 + n - FLASH_UF2_BLOCK, (uint32_t)((n - first) / FLASH_UF2_BLOCK), scene, scene_n);
+    put_scene(joined + n, uf2 + flash_uf2_last(uf2, n), (uint32_t)((n - first) / FLASH_UF2_BLOCK), scene, scene_n);
     for (size_t at = first; at < *joined_n; at += FLASH_UF2_BLOCK) {
         put_u32(joined + at + TOTAL_AT, (uint32_t)((*joined_n - first) / FLASH_UF2_BLOCK));
     }

@@ -199,6 +199,15 @@ size_t flash_uf2_first(const uint8_t *bytes, size_t n)
     return is_against_e10 ? BLOCK : 0;
 }
 
+size_t flash_uf2_last(const uint8_t *bytes, size_t n)
+{
+    size_t at = n - BLOCK;
+    while ((read_block(bytes + at, 0).flags & NOT_FOR_FLASH) != 0) {
+        at -= BLOCK;
+    }
+    return at;
+}
+
 int flash_uf2_parse(struct flash_image *image, const uint8_t *bytes, size_t n, char *error)
 {
     const size_t first = flash_uf2_first(bytes, n);

@@ -13,6 +13,9 @@ int flash_uf2_is(const uint8_t *bytes, size_t n);
  * not of the image (picotool writes it). */
 size_t flash_uf2_first(const uint8_t *bytes, size_t n);
 
+/* Returns where the last block for the flash is, in a file that flash_uf2_parse takes. Other blocks may follow it. */
+size_t flash_uf2_last(const uint8_t *bytes, size_t n);
+
 /* Parses a UF2 file. 0, or a status with a line in error. */
 int flash_uf2_parse(struct flash_image *image, const uint8_t *bytes, size_t n, char *error);
 

@@ -1,5 +1,4 @@
-/* flash_join: the blocks of an image and of a scene, against those that uf2_make makes; and what does not go together.
- */
+/* flash_join: the blocks of an image and of a scene are those that uf2_make makes; what does not fit is refused. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -111,6 +110,15 @@ static void an_image_for_an_rp2350_keeps_its_first_block(void **state)
     expect_joined(0, 0xE48BFF5A);
 }
 
+/* A block that boot loaders pass over may be the last one of a file; the scene's blocks are for the flash all the same.
+ */
+static void a_block_that_is_not_for_the_flash_may_come_last(void **state)
+{
+    (void)state;
+    uf2_put(blocks + PAGES * UF2_BLOCK + UF2_FLAGS, 0x2001);
+    expect_joined(UF2_BLOCK, 0xE48BFF56);
+}
+
 static void refuse(const uint8_t *uf2, size_t n, size_t bytes, uint32_t flash_bytes, const char *reason)
 {
     size_t joined_n = 0;
@@ -158,6 +166,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(a_scene_lies_behind_its_image, fresh),
         cmocka_unit_test_setup(an_image_for_an_rp2350_keeps_its_first_block, fresh),
+        cmocka_unit_test_setup(a_block_that_is_not_for_the_flash_may_come_last, fresh),
         cmocka_unit_test_setup(what_does_not_go_together_is_refused, fresh),
         cmocka_unit_test_setup(an_image_may_end_where_the_scene_begins, fresh),
     };
