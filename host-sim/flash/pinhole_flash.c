@@ -1,6 +1,7 @@
 /* pinhole-flash: an image into the flash of an RP2040 or RP2350 that is in its USB boot loader. See flash_job.h. */
 
 #include "complain.h"
+#include "file_save.h"
 #include "flash_file.h"
 #include "flash_job.h"
 #include "flash_join.h"
@@ -10,10 +11,8 @@
 #include "progress.h"
 #include "signal_stop.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 struct request {
     const char *path, *serial, *scene, *out;
@@ -63,9 +62,11 @@ static int read_arguments(struct request *r, int argc, char *argv[])
     if (r->force && !r->at_scene) {
         return complain_usage("--force goes with --at-scene; see --help");
     }
-    if ((r->scene != NULL && r->at_scene) || (r->out != NULL && r->scene == NULL)) {
-        return complain_usage(r->at_scene ? "--scene goes into an image, --at-scene behind one; see --help"
-                                          : "--out goes with --scene; see --help");
+    if (r->scene != NULL && r->at_scene) {
+        return complain_usage("--scene goes into an image, --at-scene behind one; see --help");
+    }
+    if (r->out != NULL && r->scene == NULL) {
+        return complain_usage("--out goes with --scene; see --help");
     }
     if (r->help || r->list) {
         return r->list && r->path != NULL ? complain_usage("--list takes no image; see --help") : 0;
@@ -139,16 +140,14 @@ static int write_image(const struct request *r, const struct flash_image *image,
 
 static int save(const char *path, const uint8_t *bytes, size_t n)
 {
-    FILE *const file = fopen(path, "wb");
-    const bool is_written = file != NULL && fwrite(bytes, 1, n, file) == n;
-    if ((file != NULL && fclose(file) != 0) || !is_written) {
-        return complain("%s: cannot be written: %s", path, strerror(errno));
+    const int status = file_save_bytes(path, bytes, n);
+    if (status == 0) {
+        printf("%s: %zu bytes; copy it onto the drive of the boot loader, RPI-RP2 or RP2350\n", path, n);
     }
-    printf("%s: %zu bytes; copy it onto the drive of the boot loader, RPI-RP2 or RP2350\n", path, n);
-    return 0;
+    return status;
 }
 
-/* Puts the scene into the image's file; --out writes that, and else it is what the board gets. */
+/* Joins the scene to the image. With --out the result is saved, else it is the image for the board. */
 static int join(const struct request *r, struct flash_image *image, char *error)
 {
     size_t n = 0, scene_n = 0, joined_n = 0;
