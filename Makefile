@@ -222,32 +222,25 @@ $(B)/boards_all/boards_all.h: FORCE
 	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi # a name of its own: another make may write it, too
 	$(if $(PANELS_MORE),@set -- $(PANELS_MORE:%='$(PANEL_DIR)/%.glass'); cat "$$@" | cmp -s - $(@D)/glasses_more.inc || cat "$$@" >$(@D)/glasses_more.inc)
 
-ifneq ($(BOARDS_MORE),)
-$(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags
-	@mkdir -p $(@D)
-	@grep -qw 'board_$(subst -,_,$(patsubst %/,%,$(dir $*)))' '$<' || { echo '$<: defines no board_$(subst -,_,$(patsubst %/,%,$(dir $*)))' >&2; exit 1; }
-	$(SAY) CC $<
-	$(Q)$(COMPILE) -c $< -o $@
-endif
-
-# What lists them is compiled again where the list is another one.
+# These list demos and panels, so they are compiled again when DEMO_DIR or PANEL_DIR brings others.
 MORE_O := $(B)/firmware/app/demos/list.o $(B)/hal/panel/panels.o $(B)/host-sim/controllers/sim_glass.o
 $(B)/more: FORCE
 	@$(call differs,$(DEMOS_DEF) $(PANELS_DEF))
 $(MORE_O): $(B)/more
 $(MORE_O) $(B)/boards_more/%.o $(if $(BOARD_HOME),$(B)/$(BOARD_HOME)/board.o): DEFS += $(DEMOS_DEF) $(PANELS_DEF)
 
-# $(1): demos or panels, $(2): demo or panel, $(3): the folder
+# $(1): boards, demos or panels, $(2): the folder, $(3): what a file must define
 define rule_of_more
-$(B)/$(1)_more/%.o: $(3)/%.c $(B)/flags
+$(B)/$(1)_more/%.o: $(2)/%.c $(B)/flags
 	@mkdir -p $$(@D)
-	@grep -qw '$(2)_$$*' '$$<' || { echo '$$<: defines no $(2)_$$*' >&2; exit 1; }
+	@grep -qw '$(3)' '$$<' || { echo '$$<: defines no $(3)' >&2; exit 1; }
 	$$(SAY) CC $$<
 	$$(Q)$$(COMPILE) -c $$< -o $$@
 	$$(Q)sed 's:$$<::' $$(@:.o=.d) >$$@.d && mv $$@.d $$(@:.o=.d) # a user's file may move
 endef
-$(if $(DEMOS_MORE),$(eval $(call rule_of_more,demos,demo,$(DEMO_DIR))))
-$(if $(PANELS_MORE),$(eval $(call rule_of_more,panels,panel,$(PANEL_DIR))))
+$(if $(BOARDS_MORE),$(eval $(call rule_of_more,boards,$(BOARD_DIR),board_$$(subst -,_,$$(patsubst %/,%,$$(dir $$*))))))
+$(if $(DEMOS_MORE),$(eval $(call rule_of_more,demos,$(DEMO_DIR),demo_$$*)))
+$(if $(PANELS_MORE),$(eval $(call rule_of_more,panels,$(PANEL_DIR),panel_$$*)))
 
 $(B)/libpinhole.a: $(call objects,$(CORE))
 $(B)/libpinhole-hal.a: $(call objects,$(HAL) $(BOARDS)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o) $(PANELS_MORE_O)
