@@ -82,7 +82,13 @@ static void small_pictures_have_a_black_sky_dark_tiles_and_bright_figures(void *
     assert_true(demo_sky(&low, 99, 99, 99) == 0 && demo_sky(&large, 99, 98, 97) == ph_rgb565(99, 98, 97));
     assert_int_equal(demo_tile(&low, 200, 100, 40).colour, ph_rgb565(50, 25, 10));
     assert_int_equal(demo_tile(&large, 200, 100, 40).colour, ph_rgb565(200, 100, 40));
-    assert_true(demo_bright(&low, 0) == 170 && demo_bright(&low, 255) == 255 && demo_bright(&large, 9) == 9);
+    uint16_t ramp[PH_RAMP_SIZE], want[PH_RAMP_SIZE];
+    demo_figure(&low, ramp, 0, 255, 30);
+    demo_lit(want, PH_SHADE_GOURAUD, 170, 255, 180);
+    assert_memory_equal(ramp, want, sizeof ramp);
+    demo_figure(&large, ramp, 0, 255, 30);
+    demo_lit(want, PH_SHADE_GOURAUD, 0, 255, 30);
+    assert_memory_equal(ramp, want, sizeof ramp);
 }
 
 static void text_of_a_half_keeps_to_its_rows(void **state)

@@ -104,8 +104,7 @@ static int conventions_init(struct demo_context *context)
     if (!c || model_teapot(&context->arena, &c->pot, SEGMENTS) != PH_OK) {
         return PH_ERR_NOMEM;
     }
-    c->china = demo_lit(c->ramp, PH_SHADE_GOURAUD, demo_bright(context, 235), demo_bright(context, 150),
-                        demo_bright(context, 70));
+    c->china = demo_figure(context, c->ramp, 235, 150, 70);
     context->state = c;
     for (uint32_t i = 0; i < QUARTERS; i++) {
         if (describe((enum ph_convention)i, c->texts[i]) != PH_OK || take_camera(context, i, &c->cameras[i]) != PH_OK) {
@@ -160,12 +159,9 @@ static uint32_t conventions_band(struct demo_context *context, struct ph_rendere
     for (uint32_t i = 0; i < QUARTERS; i++) {
         const int32_t x = context->width * (i & 1 ? 3 : 1) / 4, top = middle + (i & 2 ? 2 : -count * DEMO_TEXT_LINE);
         for (int32_t k = 0; k < count; k++) {
-            const int32_t y = top + k * DEMO_TEXT_LINE;
             char text[LINE_SIZE];
-            if (demo_text_reaches(r, band, lines, y)) {
-                write_line(context, i, k, text);
-                demo_text(r, band, lines, pixels, x - ph_overlay_width(text, 1) / 2, y, text);
-            }
+            write_line(context, i, k, text);
+            demo_text(r, band, lines, pixels, x, top + k * DEMO_TEXT_LINE, text);
         }
     }
     return lines;

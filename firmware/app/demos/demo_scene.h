@@ -58,7 +58,7 @@ bool demo_may_be_round(const struct demo_context *context);
 /* Rows of the picture above the first line of text: 2, or what a round glass needs. */
 int32_t demo_text_inset(const struct demo_context *context);
 
-/* The lens for the part of a picture of that height that is below a strip of so many rows at its top. */
+/* Makes a lens for a picture `height` rows high one that draws only below a strip of `strip` rows at the top. */
 struct ph_projection demo_below(struct ph_projection lens, int32_t height, int32_t strip);
 
 /* Rows that so many lines of text take at the top of a picture, or of a half. */
@@ -84,7 +84,8 @@ char *demo_add_text(char *to, const char *more);
 bool demo_is_small(const struct demo_context *context);
 uint16_t demo_sky(const struct demo_context *context, uint8_t red, uint8_t green, uint8_t blue);
 struct ph_material demo_tile(const struct demo_context *context, uint8_t red, uint8_t green, uint8_t blue); /* unlit */
-uint8_t demo_bright(const struct demo_context *context, uint8_t value); /* of a figure's red, green or blue */
+struct ph_material demo_figure(const struct demo_context *context, uint16_t ramp[PH_RAMP_SIZE], uint8_t red,
+                               uint8_t green, uint8_t blue); /* demo_lit(), Gouraud */
 
 /* Calls ph_frame_begin with the user's camera if there is one, else with the demo's. */
 int demo_begin(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
@@ -160,8 +161,8 @@ static inline bool demo_text_reaches(const struct ph_renderer *r, uint32_t band,
     return y - 1 < y0 + (int32_t)lines && y + PH_FONT_HEIGHT >= y0;
 }
 
-/* Draws text over band number `band` at (x, y) of the picture. */
-void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t x, int32_t y,
+/* Draws what band number `band` has of a text that is centred at column `middle` and has its top in row y. */
+void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t middle, int32_t y,
                const char *text);
 
 #endif

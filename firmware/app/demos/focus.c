@@ -48,8 +48,7 @@ static int focus_init(struct demo_context *context)
         return PH_ERR_NOMEM;
     }
     for (uint32_t i = 0; i < SKITTLES; i++) {
-        f->colours[i] = demo_lit(f->ramps[i], PH_SHADE_GOURAUD, demo_bright(context, colours[i][0]),
-                                 demo_bright(context, colours[i][1]), demo_bright(context, colours[i][2]));
+        f->colours[i] = demo_figure(context, f->ramps[i], colours[i][0], colours[i][1], colours[i][2]);
     }
     f->tiles[0] = demo_tile(context, 70, 84, 100);
     f->tiles[1] = demo_tile(context, 150, 160, 165);

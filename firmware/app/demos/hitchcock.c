@@ -118,8 +118,7 @@ static int make_scene(struct demo_context *context, const struct fineness *f)
         return PH_ERR_NOMEM;
     }
     for (uint32_t i = 0; i < TOP_STRIPES; i++) {
-        h->stripes[i] = demo_lit(h->ramps[i], PH_SHADE_GOURAUD, demo_bright(context, colours[i][0]),
-                                 demo_bright(context, colours[i][1]), demo_bright(context, colours[i][2]));
+        h->stripes[i] = demo_figure(context, h->ramps[i], colours[i][0], colours[i][1], colours[i][2]);
     }
     h->stone = demo_lit(h->ramps[TOP_STRIPES], PH_SHADE_GOURAUD, 225, 205, 175);
     h->tiles[0] = demo_tile(context, 92, 72, 78);
@@ -197,10 +196,8 @@ static uint32_t hitchcock_band(struct demo_context *context, struct ph_renderer 
     const int32_t w = context->width, h = context->height, smaller = w < h ? w : h, y = 2 + smaller / 64;
     if (smaller >= 40 && demo_text_reaches(r, band, lines, y)) {
         char text[4 + FX_TEXT_SIZE] = "FOV ";
-        const bool named = smaller >= 128;
         fx_to_text_rounded(ph_fov_of(VIEW_HEIGHT, distance_at(context->frame)), 0, text + 4);
-        const char *const shown = named ? text : text + 4;
-        demo_text(r, band, lines, pixels, (w - ph_overlay_width(shown, 1) + 1) / 2, y, shown);
+        demo_text(r, band, lines, pixels, (w + 1) / 2, y, smaller >= 128 ? text : text + 4);
     }
     return lines;
 }

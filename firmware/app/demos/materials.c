@@ -91,9 +91,9 @@ static struct ph_material lit(uint8_t red, uint8_t green, uint8_t blue, fx_t spe
 
 static void fill_materials(const struct demo_context *context, struct materials *m)
 {
-    const uint8_t share = demo_is_small(context) ? 4 : 1; /* as of demo_tile(), but lit */
-    m->tiles[0] = lit(200 / share, 200 / share, 210 / share, 0);
-    m->tiles[1] = lit(120 / share, 125 / share, 140 / share, 0);
+    m->tiles[0] = m->tiles[1] = lit(0, 0, 0, 0);
+    m->tiles[0].colour = demo_tile(context, 200, 200, 210).colour;
+    m->tiles[1].colour = demo_tile(context, 120, 125, 140).colour;
     m->list[BALL] = lit(225, 225, 225, FX_ONE * 3 / 4);
     m->list[CUBE] = lit(255, 255, 255, 0);
     m->list[FENCE] = (struct ph_material){

@@ -177,13 +177,13 @@ int demo_begin(const struct demo_context *context, struct ph_renderer *r, const 
 }
 
 // NOLINTNEXTLINE(readability-non-const-parameter): the pixels are written through the struct
-void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t x, int32_t y,
+void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t middle, int32_t y,
                const char *text)
 {
     const struct ph_overlay_band over = {pixels, (uint16_t)(r->config.width >> r->samples_log2),
                                          (int32_t)(band * (r->config.band_height >> r->samples_log2)), (int32_t)lines};
     static const struct ph_overlay_style style = {0xffff, 0, 1}; /* white on black in RGB565 */
-    ph_overlay_text(&over, x, y, text, &style);
+    ph_overlay_text(&over, middle - ph_overlay_width(text, 1) / 2, y, text, &style);
 }
 
 bool demo_may_be_round(const struct demo_context *context)
@@ -219,13 +219,10 @@ int32_t demo_half_text_y(const struct demo_context *context, bool second, int32_
 void demo_half_text(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
                     uint16_t *pixels, bool second, int32_t line, const char *text)
 {
-    const int32_t w = context->width, h = context->height, length = ph_overlay_width(text, 1) - 1;
-    const int32_t y = demo_half_text_y(context, second, line);
+    const int32_t w = context->width, h = context->height;
     const int32_t aside = h > w ? 0 : demo_may_be_round(context) ? w * 3 / 16 : w / 4;
-    const int32_t x = w / 2 + (second ? aside : -aside) - length / 2;
-    if (demo_text_reaches(r, band, lines, y)) {
-        demo_text(r, band, lines, pixels, x, y, text);
-    }
+    demo_text(r, band, lines, pixels, w / 2 + (second ? aside : -aside) + 1, demo_half_text_y(context, second, line),
+              text);
 }
 
 char *demo_add_text(char *to, const char *more)
@@ -253,7 +250,14 @@ struct ph_material demo_tile(const struct demo_context *context, uint8_t red, ui
     return demo_unlit(red / share, green / share, blue / share);
 }
 
-uint8_t demo_bright(const struct demo_context *context, uint8_t value)
+/* A figure's red, green or blue. */
+static uint8_t bright(const struct demo_context *context, uint8_t value)
 {
     return demo_is_small(context) ? (uint8_t)((value + 2 * 255) / 3) : value;
+}
+
+struct ph_material demo_figure(const struct demo_context *context, uint16_t ramp[PH_RAMP_SIZE], uint8_t red,
+                               uint8_t green, uint8_t blue)
+{
+    return demo_lit(ramp, PH_SHADE_GOURAUD, bright(context, red), bright(context, green), bright(context, blue));
 }

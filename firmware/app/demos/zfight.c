@@ -60,19 +60,22 @@ static struct layout layout_in(const struct demo_context *context, int32_t colum
     return l;
 }
 
-/* The arrangement with the largest plates; that without numbers only where none is wide and high enough for them. */
-static struct layout layout_of(const struct demo_context *context)
+/* The arrangement with the largest plates, with or without numbers; half 0: no cell is wide enough for a number. */
+static struct layout largest(const struct demo_context *context, bool numbered)
 {
-    const int32_t least = ph_overlay_width(labels[PAIRS - 1], 1) + 1;
+    const int32_t least = numbered ? ph_overlay_width(labels[PAIRS - 1], 1) + 1 : 0;
     struct layout best = {0};
-    for (uint32_t numbered = 1; numbered < 2 && best.half < LEAST_PX; numbered--) {
-        best.half = 0;
-        for (int32_t columns = 1; columns <= PAIRS; columns += columns < 3 ? 1 : 3) {
-            const struct layout l = layout_in(context, columns, numbered);
-            best = l.half > best.half && (numbered == 0 || l.cell_width >= least) ? l : best;
-        }
+    for (int32_t columns = 1; columns <= PAIRS; columns++) {
+        const struct layout l = layout_in(context, columns, numbered);
+        best = PAIRS % columns == 0 && l.half > best.half && l.cell_width >= least ? l : best;
     }
     return best;
+}
+
+static struct layout layout_of(const struct demo_context *context)
+{
+    const struct layout numbered = largest(context, true);
+    return numbered.half >= LEAST_PX ? numbered : largest(context, false);
 }
 
 /* Half of so many pixels of a picture, at a distance of 1. */
@@ -210,15 +213,6 @@ static void title_of(const struct ph_depth_format *format, bool is_short, char t
     title[n] = '\0';
 }
 
-/* Draws a text around column x of the picture, of which the top row is y. */
-static void label(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t x, int32_t y,
-                  const char *text)
-{
-    if (demo_text_reaches(r, band, lines, y)) {
-        demo_text(r, band, lines, pixels, x - ph_overlay_width(text, 1) / 2, y, text);
-    }
-}
-
 /* Labels a side: the format, and the distance of each pair above it, or the first and the last below the format. */
 static void label_side(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
                        uint16_t *pixels, bool right, const struct ph_depth_format *format)
@@ -228,14 +222,14 @@ static void label_side(const struct demo_context *context, const struct ph_rende
     const int32_t w = context->width / 2, x = right ? context->width - w : 0, inset = demo_text_inset(context);
     const int32_t middle = x + (w + (right ? -l.outside : l.outside)) / 2;
     title_of(format, w < 60, name);
-    label(r, band, lines, pixels, middle, inset, name);
+    demo_text(r, band, lines, pixels, middle, inset, name);
     if (l.number == 0) {
-        label(r, band, lines, pixels, middle, inset + DEMO_TEXT_LINE, "2-100");
+        demo_text(r, band, lines, pixels, middle, inset + DEMO_TEXT_LINE, "2-100");
     }
     for (int32_t i = 0; i < PAIRS && l.number > 0; i++) {
         int32_t x2, y2;
         place_of(context, &l, i, right, &x2, &y2);
-        label(r, band, lines, pixels, x + x2 / 2, (y2 - l.cell_height - l.number) / 2 + 1, labels[i]);
+        demo_text(r, band, lines, pixels, x + x2 / 2, (y2 - l.cell_height - l.number) / 2 + 1, labels[i]);
     }
 }
 
