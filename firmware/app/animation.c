@@ -112,15 +112,15 @@ struct animation_stage *animation_begin(struct demo_arena *arena, const struct a
     return s;
 }
 
-/* Where the clip is at a time, Q16.16 seconds. */
-static fx_t time_of(const struct ph_clip *clip, struct demo_clock clock)
+/* Where a clip is, in Q16.16 seconds, after it has played so many 1/65536 s. */
+static fx_t time_of(const struct ph_clip *clip, uint64_t passed)
 {
     const uint32_t duration = clip->duration > 0 ? (uint32_t)clip->duration : 1;
-    uint32_t time = clock.seconds;
+    uint32_t time = (uint32_t)(passed >> 16);
     for (uint32_t bit = 0; bit < 16; bit++) { /* times FX_ONE, which would overflow after 65,536 s */
         time = time % duration * 2;
     }
-    return (fx_t)((time % duration + clock.part) % duration);
+    return (fx_t)((time % duration + (uint16_t)passed) % duration);
 }
 
 /* The time of a frame, rounded down, below 2^32 s. In the 2^32 frames after which a count of 32 bits begins anew pass
@@ -139,21 +139,20 @@ void animation_move(const struct animation_stage *s, const struct ph_renderer *r
     animation_move_at(s, r, clock_of(frame, ANIMATION_FRAMES_A_SECOND));
 }
 
-/* How long a layer has played at a time; 0 before it began. */
-static struct demo_clock played(const struct animation_layer *layer, struct demo_clock clock)
+/* How long a layer has played at a time, in 1/65536 s; 0 before it began. */
+static uint64_t played(const struct animation_layer *layer, struct demo_clock clock)
 {
     const uint64_t from = (uint64_t)layer->since.seconds << 16 | layer->since.part,
-                   to = (uint64_t)clock.seconds << 16 | clock.part, time = to > from ? to - from : 0;
-    return (struct demo_clock){.seconds = (uint32_t)(time >> 16), .part = (uint16_t)time};
+                   to = (uint64_t)clock.seconds << 16 | clock.part;
+    return to > from ? to - from : 0;
 }
 
 /* How much of a layer shows, 0 .. FX_ONE. */
 static fx_t share_of(const struct animation_stage *s, const struct animation_layer *layer, struct demo_clock clock)
 {
-    const struct demo_clock time = played(layer, clock);
-    const uint32_t fade = (uint32_t)s->animation->cross_fade;
-    const uint32_t most = fade >> 16, passed = time.seconds <= most ? time.seconds << 16 | time.part : UINT32_MAX;
-    return passed >= fade ? FX_ONE : fx_div_sat((fx_t)passed, (fx_t)fade);
+    const uint64_t time = played(layer, clock);
+    const fx_t fade = s->animation->cross_fade;
+    return time >= (uint64_t)fade ? FX_ONE : fx_div_sat((fx_t)time, fade);
 }
 
 /* The pose in which a layer (NULL: none) has the rig at a time. */

@@ -38,7 +38,7 @@ struct animation {
     uint32_t outline_count;        /* 0: the vertices in the bind pose have to do */
 };
 
-/* A clip that plays since a time. */
+/* A clip, and when it began to play. */
 struct animation_layer {
     const struct ph_clip *clip;
     struct demo_clock since;

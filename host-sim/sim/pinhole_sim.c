@@ -265,9 +265,6 @@ static int choose(const struct sim_options *o, struct chosen *chosen, struct sim
     setup->clip_fps = o->clip_fps == 0 && o->frames == UINT32_MAX ? DEMO_CLIPS_BY_CLOCK : (uint16_t)o->clip_fps;
     setup->antialias = o->antialias;
     setup->dither = o->dither;
-    if (o->antialias && o->dither) {
-        return complain_usage("--dither and --aa do not go together");
-    }
     const unsigned width = panel_width(setup->board->panel, setup->rotation);
     const unsigned height = panel_height(setup->board->panel, setup->rotation);
     if (o->antialias && (width > ANTIALIAS_SIDE_MAX || height > ANTIALIAS_SIDE_MAX)) {

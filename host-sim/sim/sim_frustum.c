@@ -6,9 +6,8 @@
 
 #include <math.h>
 
-#define SCALE_ONE                                                                                                      \
-    (2 << 20) /* a height of 2, in units in which a scale is the distance at which it fills the picture                \
-               */
+/* The height that fills the picture at a distance of `scale`, in the Q20 of the scales. */
+#define HEIGHT_2 (2 << 20)
 
 /* The field of view that a height fills at a distance. */
 static void put_fov(FILE *file, const char *name, fx_t height, fx_t distance)
@@ -29,8 +28,8 @@ int sim_frustum_print(FILE *file, const struct ph_projection *p, fx_t distance, 
     fx_t size[2];
     ph_projection_size_at(p, distance, &size[0], &size[1]);
     if (!parallel) {
-        put_fov(file, "fov.x", SCALE_ONE, p->scale_x_q20);
-        put_fov(file, "fov.y", SCALE_ONE, p->scale_y_q20);
+        put_fov(file, "fov.x", HEIGHT_2, p->scale_x_q20);
+        put_fov(file, "fov.y", HEIGHT_2, p->scale_y_q20);
     }
     sim_fraction_print(file, "aspect", aspect, sim_fraction_code(aspect));
     sim_fraction_print(file, "size.x", sim_fraction_divide(whole, x), size[0]);
@@ -39,7 +38,7 @@ int sim_frustum_print(FILE *file, const struct ph_projection *p, fx_t distance, 
         const struct sim_fraction half = sim_fraction_divide(sim_fraction_of(height, 16), two);
         put_fov(file, "fill.fov", height, distance);
         sim_fraction_print(file, "fill.distance", sim_fraction_times(half, y),
-                           ph_distance_of(height, ph_fov_of(SCALE_ONE, p->scale_y_q20)));
+                           ph_distance_of(height, ph_fov_of(HEIGHT_2, p->scale_y_q20)));
     }
     return 0;
 }

@@ -342,10 +342,9 @@ static const struct option_row rows[] = {
      "        the camera's own",
      "a distance, more than 0, and, optionally, a comma and a height, more than 0", .set = set_frustum},
     {"flatten", "kaist-4.7|kaist-4.11|eece=D|plane=X,Y,Z,D",
-     "prints `flatten` with --matrix, and with --point what it makes of the point: a matrix that drops the depth, in "
-     "parallel (KAIST 4.7), by w = z (4.11) or\n"
-     "        w = z / D (EECE 478), or that projects from the eye onto the plane n.p + D = 0, with the normal X,Y,Z "
-     "at\n        the distance D, on the side that it points away from",
+     "prints `flatten` with --matrix, and with --point what it makes of the point: a matrix that drops the depth, in\n"
+     "        parallel (KAIST 4.7), by w = z (4.11) or w = z / D (EECE 478), or that projects from the eye onto the\n"
+     "        plane n.p + D = 0, with the normal X,Y,Z at the distance D, on the side that it points away from",
      "kaist-4.7, kaist-4.11, eece=D or plane=X,Y,Z,D with a normal and a D that are not 0", .set = set_flatten},
     {"stats", NULL,
      "prints the cost of each frame on stderr: vertices transformed; triangles in: given; culled: facing away,\n"
@@ -454,6 +453,9 @@ static int check_together(const struct sim_options *o)
     }
     if (o->board != NULL && o->width != 0) {
         return complain_usage("--board and --size exclude each other");
+    }
+    if (o->antialias && o->dither) {
+        return complain_usage("--dither and --aa exclude each other");
     }
     if (o->show != NULL && (o->antialias || o->overlay)) {
         return complain_usage("--show depth excludes --aa and --overlay: it shows a code for each pixel");

@@ -67,7 +67,6 @@ int sim_tell_cameras(const struct sim_options *o, FILE *file, struct sim_player 
 int sim_tell_ride(const struct sim_options *o, struct sim_player *p, uint32_t frame)
 {
     struct sim_cameras seen = {.parent = o->parent};
-    struct ph_xform to_parent;
     if (!o->parent_set) {
         return 0;
     }
@@ -78,7 +77,7 @@ int sim_tell_ride(const struct sim_options *o, struct sim_player *p, uint32_t fr
         return complain_usage("--parent %u: frame %u has %u meshes, and the first is number 0", (unsigned)o->parent,
                               (unsigned)frame, (unsigned)seen.meshes);
     }
-    to_parent = ph_view_of_node(&seen.parent_to_world);
+    const struct ph_xform to_parent = ph_view_of_node(&seen.parent_to_world);
     p->runner.context.camera.view = ph_xform_mul(&p->setup.camera.view, &to_parent);
     return status;
 }

@@ -654,6 +654,7 @@ check depth_is_auto_by_default same "${deep[@]}" -- "${deep[@]}" --depth auto
 check depth_auto_is_fixed16_up_to_64_times_near depth_auto_is_fixed16_up_to_64_times_near
 check depth_exponent_is_what_the_lens_needs_or_as_asked depth_exponent_is_what_the_lens_needs_or_as_asked
 check depth_of_other_widths_is_refused depth_of_other_widths_is_refused
+check dither_has_an_effect differ --demo ball "${small[@]}" --depth fixed16 --dither -- --demo ball "${small[@]}" --depth fixed16
 check rotations_show_the_same_upright_picture rotations_show_the_same_upright_picture
 check bands_do_not_change_the_picture bands_do_not_change_the_picture
 check bands_are_what_is_sent_at_a_time bands_are_what_is_sent_at_a_time

@@ -38,7 +38,8 @@ static void what_is_not_given_has_its_default(void **state)
     assert_true(o.action == OPTION_RUN && o.crc && o.demo == NULL && o.model == NULL && o.board == NULL &&
                 o.view == NULL);
     assert_true(o.frames == 1 && o.start == 0 && o.scale == 0 && o.tolerance == 0 && o.band == 0 && o.width == 0);
-    assert_true(!o.stats && !o.json && !o.overlay && !o.antialias && !o.matrix && !o.show_window && !o.rotate_set);
+    assert_true(!o.stats && !o.json && !o.overlay && !o.antialias && !o.dither && !o.matrix && !o.show_window &&
+                !o.rotate_set);
     assert_true(o.near_z == FX_HALF && o.far_z == FX_INT(100) && o.fov_deg == 0 && o.focal == 0);
     assert_true(o.image_height == FX_INT(2) && !o.projection_set && !o.camera.set && o.convention == PH_GL);
     assert_true(!o.goal_set && o.goal.triangles == UINT32_MAX && !o.goal.fit && o.goal.flash_bytes == UINT32_MAX);
@@ -75,6 +76,8 @@ static void each_option_sets_its_own(void **state)
     assert_int_equal(o.model_options.cross_fade_ms, 10000);
     take("--model a --board b --max-triangles fit --crc");
     assert_true(o.goal.fit);
+    take("--crc --dither");
+    assert_true(o.dither && !o.antialias);
     take("--matrix --flatten kaist-4.7 --view-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1");
     assert_true(o.view_matrix_set && !o.lens_matrix_set && !o.projection_set);
     take("--crc --convention d3d --projection-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1");
@@ -160,6 +163,7 @@ static void options_that_exclude_each_other_are_told(void **state)
         {"--crc --focal -1", "--focal: below 0 it turns the view"},
         {"--crc --flatten kaist-4.7", "--flatten: is printed with --matrix"},
         {"--crc --parent 2", "--parent: of which camera?"},
+        {"--crc --dither --aa", "--dither and --aa exclude each other"},
         {"--crc --show depth --aa", "--show depth excludes --aa"},
         {"--crc --show depth --overlay", "--show depth excludes --aa and --overlay"},
         {"--frustum 2 --projection fisheye", "--frustum: a fisheye has none"},
