@@ -31,6 +31,8 @@
 #   PORT_LD           the linker script; it finds what it includes in hal/PORT and hal/chips/cortexm
 #   PORT_STACK_EXTRA  stack that the call graph does not show: frames of interrupts. The linker script gets the symbol
 #                     stack_bytes: what the call graph's deepest path takes, and this
+#   PORT_CORE1        the function, FILE:NAME, with which another core begins; its stack has stack_core1_bytes, as above, and
+#                     PORT_CORE1_EXTRA of stack that its call graph does not show. None: they are 0
 #   PORT_AHEAD_BYTES  optional: memory in which a second core makes the scene of the next frame
 #   PORT_CORES        optional: the values that CORES may have; without it 1
 #   PORT_TIERS        optional: the tiers of functions that PORT_LD tells apart (hal/README.md); PORT_FLAGS have -DCODE_TIERS then
@@ -195,8 +197,13 @@ $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@
 
 STACK := $(B)/$(APP_NAME).stack
-$(STACK): $(IMAGE_OBJ) firmware/tools/stack.sh firmware/tools/stack.awk
-	$(Q)firmware/tools/stack.sh '$(OUT).elf' '$(PORT_STACK_EXTRA)' '$(B)' $(IMAGE_OBJ:%='%') >'$@.new' && mv '$@.new' '$@'
+STACK_CORE1 := $(B)/$(APP_NAME).stack_core1
+$(STACK): stack_of = '$(PORT_STACK_EXTRA)' ''
+$(STACK_CORE1): stack_of = '$(PORT_CORE1_EXTRA)' '$(PORT_CORE1)'
+$(STACK) $(if $(PORT_CORE1),$(STACK_CORE1)): $(IMAGE_OBJ) firmware/tools/stack.sh firmware/tools/stack.awk
+	$(Q)firmware/tools/stack.sh '$(OUT).elf' $(stack_of) '$(B)' $(IMAGE_OBJ:%='%') >'$@.new' && mv '$@.new' '$@'
+$(if $(PORT_CORE1),,$(STACK_CORE1)):
+	@mkdir -p $(@D) && echo 0 >$@
 
 # What the linker script includes: the tiers of functions that this image runs from RAM, and those that it runs from flash.
 tier_sections = $(foreach tier,$(1),*(.tier.$(tier).*))
@@ -206,11 +213,11 @@ $(B)/$(RAM_CODE)/ram_tiers.ld: FORCE
 
 UF2_ELF := $(if $(UF2_APP_BASE),$(B)/uf2-$(notdir $(OUT)).elf,$(OUT).elf)
 $(filter-out $(OUT).elf,$(UF2_ELF)): $(OUT).elf
-$(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(STACK) $(PORT_LD) $(wildcard hal/chips/cortexm/*.ld) $(if $(PORT_TIERS),$(B)/$(RAM_CODE)/ram_tiers.ld)
+$(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(STACK) $(STACK_CORE1) $(PORT_LD) $(wildcard hal/chips/cortexm/*.ld) $(if $(PORT_TIERS),$(B)/$(RAM_CODE)/ram_tiers.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
 	$(Q)firmware/tools/link.sh '$@' '$(@:.elf=.map)' $(CC) $(CFLAGS) -nostartfiles $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \
-	    -Wl,--defsym=stack_bytes=$$(cat '$(STACK)'),--defsym=flash_base=$(or $(if $(filter $(OUT).elf,$@),$(UF2_BASE),$(UF2_APP_BASE)),0) $(IMAGE_OBJ) $(or $(PORT_LIBS),--specs=nano.specs)
+	    -Wl,--defsym=stack_bytes=$$(cat '$(STACK)'),--defsym=stack_core1_bytes=$$(cat '$(STACK_CORE1)'),--defsym=flash_base=$(or $(if $(filter $(OUT).elf,$@),$(UF2_BASE),$(UF2_APP_BASE)),0) $(IMAGE_OBJ) $(or $(PORT_LIBS),--specs=nano.specs)
 	$(Q)$(if $(PORT_FINISH),set -- '$@.part'; $(PORT_FINISH))
 	$(Q)mv $@.part $@
 

@@ -103,7 +103,7 @@ stack_grows_with_the_program() { # whose main() has a buffer that is larger than
 
 no_call_graph() { # of one object, as ccache leaves it
     local graph=$B/firmware/$board-objects/firmware/core/render/raster.ci said
-    mv "$graph" "$dir" && said=$(firmware/tools/stack.sh image 40 "$B/firmware/$board-objects" "${graph%.ci}.o" 2>&1) && echo "accepts it" && return 1
+    mv "$graph" "$dir" && said=$(firmware/tools/stack.sh image 40 "" "$B/firmware/$board-objects" "${graph%.ci}.o" 2>&1) && echo "accepts it" && return 1
     mv "$dir/raster.ci" "$graph" && grep -q "no call graph of firmware/core/render/raster.c, so the stack has no bound" <<<"$said" || { echo "$said" && return 1; }
 }
 

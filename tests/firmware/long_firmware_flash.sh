@@ -36,7 +36,7 @@ bare() { # name, file...
     done
     [[ $* != *cores2.c* ]] || others+=(! -name one_core.o)
     # shellcheck disable=SC2046,SC2086
-    arm-none-eabi-gcc $flags -nostartfiles -L hal/rp2040 -L "$B/firmware/$board-objects/cores1" -T hal/rp2040/rp2040.ld -Wl,--gc-sections -Wl,--defsym=stack_bytes=6656 \
+    arm-none-eabi-gcc $flags -nostartfiles -L hal/rp2040 -L "$B/firmware/$board-objects/cores1" -T hal/rp2040/rp2040.ld -Wl,--gc-sections -Wl,--defsym=stack_bytes=6656,--defsym=stack_core1_bytes=0 \
         -o "$dir/$name.elf" "$dir/$name"-*.o $(find "$B/firmware/$board-objects/hal" "$B/firmware/$board-objects/boards" "$B/firmware/$board-objects/firmware/bare" -name '*.o' "${others[@]}") \
         "$B/firmware/$board-objects/board_here.o" --specs=nano.specs &&
         hal/rp2040/boot2_seal.sh cc arm-none-eabi- "$dir/$name.elf" && arm-none-eabi-objcopy -O binary "$dir/$name.elf" "$dir/$name.bin"

@@ -13,7 +13,7 @@ rp2040_here
 
 builds() {
     : >"$dir/ram_tiers.ld" && : >"$dir/flash_tiers.ld" && # it has no functions with tiers
-        arm-none-eabi-gcc -mcpu=cortex-m0plus -nostdlib -Ihal -Ihal/rp2040 -L "$dir" -T hal/rp2040/rp2040.ld -Wl,--defsym=stack_bytes=256 -o "$dir/cycles.elf" \
+        arm-none-eabi-gcc -mcpu=cortex-m0plus -nostdlib -Ihal -Ihal/rp2040 -L "$dir" -T hal/rp2040/rp2040.ld -Wl,--defsym=stack_bytes=256,--defsym=stack_core1_bytes=0 -o "$dir/cycles.elf" \
             hal/rp2040/boot2.S tests/firmware/rp2040_cycles.S && hal/rp2040/boot2_seal.sh cc arm-none-eabi- "$dir/cycles.elf" &&
         arm-none-eabi-objcopy -O binary "$dir/cycles.elf" "$dir/cycles.bin"
 }

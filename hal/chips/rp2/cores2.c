@@ -9,10 +9,9 @@
 #include <cpu.h>
 #include "rp2.h"
 
-#define STACK_BYTES      5632 /* by the call graph (a scene), and the frame of a tick */
-#define GUARD_BYTES_LOG2 8    /* the MPU's least region */
+#define GUARD_BYTES_LOG2 8 /* the MPU's least region; the lowest bytes of the stack, see PORT_CORE1_EXTRA */
 
-static _Alignas(1 << GUARD_BYTES_LOG2) uint64_t stack[((1 << GUARD_BYTES_LOG2) + STACK_BYTES) / 8];
+extern uint64_t ld_stack_core1[], ld_stack_core1_top[]; /* rp2040.ld, rp2350.ld */
 
 static struct {
     bool started, busy;
@@ -61,7 +60,7 @@ HAL_TIER(loop) static inline void take(uint32_t run)
 /* The main loop of core 1. */
 static _Noreturn void serve(void) /* called as vector */ /* calls run, each, ahead */
 {
-    rp2_guard((uint32_t)(uintptr_t)stack, GUARD_BYTES_LOG2);
+    rp2_guard((uint32_t)(uintptr_t)ld_stack_core1, GUARD_BYTES_LOG2);
     for (;;) {
         take(pull());
     }
@@ -80,7 +79,7 @@ static void reset_core1(void)
 static void start_core1(void)
 {
     const uint32_t vector_table = cpu_vectors();
-    const uint32_t words[] = {0, 0, 1, vector_table, (uint32_t)(uintptr_t)(stack + sizeof stack / 8), (uint32_t)serve};
+    const uint32_t words[] = {0, 0, 1, vector_table, (uint32_t)(uintptr_t)ld_stack_core1_top, (uint32_t)serve};
     reset_core1();
     for (uint32_t i = 0; i < sizeof words / sizeof *words;) {
         if (words[i] == 0) {
