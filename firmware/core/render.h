@@ -569,7 +569,7 @@ struct ph_dither {
  * Dithers the frames that r draws from now on. Call it between two frames.
  * In:     dither and its ramps must stay as long as r uses them. NULL: dithers no more.
  * Cost:   2,056 bytes a ramp. On a Cortex-M0+ some 35 instructions a triangle (20 on an M3), 1,500 a ramp and frame,
- * and some 300,000 at the first sight of a ramp or of new colours in it: 2 to 3 % of a frame
+ *         and some 300,000 at the first sight of a ramp or of new colours in it: 1 to 3 % of a frame
  *         (tests/bench/long_dither.sh). A program without it links nothing of it.
  * Errors: PH_ERR_INVAL: r is NULL or antialiases, or dither has no ramps. r stays as it was.
  */

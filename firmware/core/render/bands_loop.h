@@ -18,14 +18,20 @@
 /* bands.c: prepares the draw of a reference that is behind the current draw. */
 void ph_enter_draw(struct ph_feed *f, uint32_t ref);
 
+/* What is known of a triangle that was set up. */
+enum ph_fast_draw {
+    PH_FAST_DRAWN, /* it ended in the band, and is drawn */
+    PH_FAST_ABOVE, /* it can be drawn fast, begins in the band and goes on below */
+    PH_FAST_NOT,
+};
+
 /* What may be faster than the general case. */
 struct ph_fast_draws {
-    /* Sets up a triangle as ph_setup does. Draws it, too, and counts its pixels, if it can do so fast and the triangle
-     * ends in the band; else it returns false. */
-    bool (*draw_whole)(const struct ph_feed *f, const struct ph_ref *ref, struct ph_triangle *t,
-                       const struct ph_band *rows, uint32_t *fragments);
-    /* ph_draw_above, ph_draw_end */
-    uint32_t (*draw_above)(struct ph_triangle *t, const struct ph_band *band);
+    /* Sets up a triangle as ph_setup does. Draws it, too, and counts its pixels, where it can do so fast. */
+    enum ph_fast_draw (*draw_whole)(const struct ph_feed *f, const struct ph_ref *ref, struct ph_triangle *t,
+                                    const struct ph_band *rows, uint32_t *fragments);
+    /* ph_draw_above, ph_draw_end. known: what draw_whole returned */
+    uint32_t (*draw_above)(struct ph_triangle *t, const struct ph_band *band, enum ph_fast_draw known);
     uint32_t (*draw_end)(const struct ph_triangle *t, const struct ph_band *band);
 };
 
@@ -36,13 +42,13 @@ static inline struct ph_triangle *ph_take_slot_or(struct ph_renderer *r, struct 
 }
 
 /* Draws a triangle that stands in a slot and goes on below the band. Returns its pixels. carry: as in struct ph_rest.
- * draw_above: ph_draw_above, or what does the same. */
+ * fast, known: as in ph_rest_loop. */
 static inline uint32_t ph_draw_beyond(struct ph_triangle ***carry, struct ph_triangle *t, const struct ph_band *rows,
-                                      uint32_t (*draw_above)(struct ph_triangle *t, const struct ph_band *band))
+                                      const struct ph_fast_draws *fast, enum ph_fast_draw known)
 {
     **carry = t;
     *carry = &t->next;
-    return draw_above(t, rows);
+    return fast != NULL ? fast->draw_above(t, rows, known) : ph_draw_above(t, rows);
 }
 
 /* Whether the other core is idle, and there is a row for each. Without another core this saves the call. */
@@ -68,7 +74,7 @@ static inline __attribute__((always_inline)) uint32_t ph_begun_loop(struct ph_fe
             fragments += fast != NULL ? fast->draw_end(t, rows) : ph_draw_end(t, rows);
             ph_free_slot(r, t);
         } else {
-            fragments += ph_draw_beyond(&carry, t, rows, fast != NULL ? fast->draw_above : ph_draw_above);
+            fragments += ph_draw_beyond(&carry, t, rows, fast, PH_FAST_NOT);
         }
         t = next;
     }
@@ -108,19 +114,19 @@ ph_rest_loop(struct ph_feed *f, struct ph_rest *rest, uint32_t (*draw_begun)(str
             }
         }
         const struct ph_ref *const at = first - ref;
-        if (fast != NULL && fast->draw_whole(f, at, t, rows, &fragments)) {
-            ref = ph_next_ref(f, at, ref);
-            continue;
-        }
+        enum ph_fast_draw known = PH_FAST_NOT;
         if (fast == NULL) {
             ph_setup(&f->setting, at, t);
+        } else if ((known = fast->draw_whole(f, at, t, rows, &fragments)) == PH_FAST_DRAWN) {
+            ref = ph_next_ref(f, at, ref);
+            continue;
         }
         t->order = ref;
         ref = ph_next_ref(f, at, ref);
         if (t->y_bottom <= y1) {
             fragments += ph_draw_fresh(t, rows);
         } else if (t != &scratch) {
-            fragments += ph_draw_beyond(&rest->carry, t, rows, fast != NULL ? fast->draw_above : ph_draw_above);
+            fragments += ph_draw_beyond(&rest->carry, t, rows, fast, known);
             t = ph_take_slot_or(f->r, &scratch); /* not r: no register is left for it in this loop */
         } else {
             fragments += ph_draw_triangle(t, rows);

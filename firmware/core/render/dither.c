@@ -50,10 +50,10 @@ static inline void dither_rows(struct ph_small_triangle *small, int32_t y)
     small->light_dy = scaled(small->light_dy) + STEP_Y;
 }
 
-/* Makes a small triangle one in dithered light. */
-static inline void make_dithered(struct ph_triangle *t, const struct ph_antialiasing *calls)
+/* Makes a small triangle with this knee (0: none) one in dithered light. */
+static inline void make_dithered(struct ph_triangle *t, const struct ph_antialiasing *calls, uint32_t knee)
 {
-    t->as.small.rows.knee = t->kind == PH_KIND_SMALL_KNEE ? t->as.small.rows.knee : 0;
+    t->as.small.rows.knee = knee;
     t->kind = PH_KIND_SMALL_LONG;
     t->as.small.of.antialiasing = calls;
 }
@@ -73,7 +73,7 @@ static void set_kind(const struct ph_setting *s, struct ph_triangle *t, bool has
 {
     (void)has_rows;
     dither_rows(&t->as.small.rows, t->y_top);
-    make_dithered(t, s->antialiasing);
+    make_dithered(t, s->antialiasing, t->kind == PH_KIND_SMALL_KNEE ? t->as.small.rows.knee : 0);
 }
 
 /* Draws a small triangle in dithered light; see struct ph_antialiasing. */
@@ -95,7 +95,7 @@ static void take_tall(struct ph_triangle *t, const struct ph_renderer *r, const 
 {
     ph_take_tall(t, r, v, sides);
     if (t->kind == PH_KIND_SMALL) {
-        make_dithered(t, r->config.antialiasing);
+        make_dithered(t, r->config.antialiasing, 0);
     }
 }
 
@@ -210,26 +210,26 @@ static void take_materials(const struct ph_renderer *r, struct ph_dither *d)
 /* ---- bands ------------------------------------------------------------------------------------------------------ */
 
 /* See bands_loop.h. A triangle that is drawn here needs no kind. */
-static inline bool draw_fast(const struct ph_feed *f, const struct ph_ref *ref, struct ph_triangle *t,
-                             const struct ph_band *rows, uint32_t *fragments)
+static inline enum ph_fast_draw draw_fast(const struct ph_feed *f, const struct ph_ref *ref, struct ph_triangle *t,
+                                          const struct ph_band *rows, uint32_t *fragments)
 {
     const struct ph_setting *const s = &f->setting;
     if (s->antialiasing == NULL) {
         ph_setup(s, ref, t);
-        return false;
+        return PH_FAST_NOT;
     }
     const enum ph_small_setup done = s->is_fast ? ph_setup_fast(&s->fast, ref, t) : PH_SMALL_NO_ROW;
     if (done != PH_SMALL_SET) {
         ph_setup_general(s, ref, done, t);
-        return false;
+        return PH_FAST_NOT;
     }
-    dither_rows(&t->as.small.rows, t->y_top);
-    if (t->y_top < rows->y0 || t->y_bottom > rows->y1) {
-        make_dithered(t, s->antialiasing);
-        return false;
+    dither_rows(&t->as.small.rows, t->y_top); /* t is of PH_KIND_SMALL: it has no knee */
+    if (t->y_top >= rows->y0 && t->y_bottom <= rows->y1) {
+        *fragments += ph_draw_whole(t, rows, ph_small_dithered);
+        return PH_FAST_DRAWN;
     }
-    *fragments += ph_draw_whole(t, rows, ph_small_dithered);
-    return true;
+    make_dithered(t, s->antialiasing, 0);
+    return t->y_top >= rows->y0 ? PH_FAST_ABOVE : PH_FAST_NOT;
 }
 
 /* Whether a triangle is one in dithered light whose depth is a plane of codes without a knee. */
@@ -239,10 +239,11 @@ static inline bool is_plain(const struct ph_triangle *t)
 }
 
 /* See bands_loop.h. */
-static inline uint32_t draw_above(struct ph_triangle *t, const struct ph_band *band)
+static inline uint32_t draw_above(struct ph_triangle *t, const struct ph_band *band, enum ph_fast_draw known)
 {
-    return is_plain(t) && t->y_top >= band->y0 ? ph_draw_above_with(t, band, ph_small_dithered)
-                                               : ph_draw_above(t, band);
+    return known == PH_FAST_ABOVE || (is_plain(t) && t->y_top >= band->y0)
+               ? ph_draw_above_with(t, band, ph_small_dithered)
+               : ph_draw_above(t, band);
 }
 
 /* See bands_loop.h. One that was stepped down to the band stands at its first row. */
