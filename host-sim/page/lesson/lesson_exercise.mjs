@@ -5,7 +5,7 @@
 //            typical wrong answers and what is said to them; none of them is right, and no two are equal
 //   options  options of pinhole-sim that show these numbers: [[name, value], ...]
 //   check    check(strings), one string a part, returns [{ ok, say }], one a part
-import { Fraction, fractionsOf } from './lesson_fraction.mjs';
+import { Fraction, fractionOf, fractionsOf } from './lesson_fraction.mjs';
 
 export const wholeFrom = (random, low, high) => low + Math.floor(random() * (high - low + 1));
 export const oneFrom = (random, list) => list[wholeFrom(random, 0, list.length - 1)];
@@ -42,7 +42,7 @@ const nameOf = (part, i) => (isMatrix(part.right) ? `row ${Math.floor(i / part.r
 
 // What is said to numbers that are neither right nor typical.
 function sayOfNumbers(part, numbers, text) {
-    const right = flatAnswer(part.right), off = right.findIndex((value, i) => !value.equals(numbers[i]));
+    const right = part.numbers, off = right.findIndex((value, i) => !value.equals(numbers[i]));
     if (right.length === 1 && isRounded(text, right[0])) {
         return 'This is rounded. Type the exact number, as a fraction.';
     }
@@ -64,7 +64,7 @@ function judgePart(part, text) {
     if (part.judge === undefined && typeof part.right === 'string') {
         return judgeWord(part, text);
     }
-    const count = flatAnswer(part.right).length, numbers = readNumbers(text, count);
+    const count = part.numbers.length, numbers = readNumbers(text, count);
     if (numbers === null) {
         return { ok: false, say: 'Type numbers such as 3/4, -2 or 0.75.' };
     }
@@ -74,7 +74,7 @@ function judgePart(part, text) {
     if (part.judge !== undefined) {
         return part.judge(numbers);
     }
-    if (part.same(numbers, flatAnswer(part.right))) {
+    if (part.same(numbers, part.numbers)) {
         return { ok: true, say: 'Right.' };
     }
     const wrong = part.wrongs.find((item) => part.same(numbers, item.numbers));
@@ -87,10 +87,10 @@ function judgePart(part, text) {
 // an answer is not the only one; wrongs are then those that it is to name.
 export function exerciseOf({ text, parts, options }) {
     const made = parts.map(({ label, right, hint, wrongs, same = sameAnswer, judge }) => {
-        const isWord = typeof right === 'string', part = { label, answer: isWord ? right : answerText(right), wrongs: [], right, hint, same, judge };
+        const isWord = typeof right === 'string', part = { label, answer: isWord ? right : answerText(right), wrongs: [], right, numbers: isWord ? [] : flatAnswer(right), hint, same, judge };
         for (const [value, say] of wrongs) {
             const numbers = isWord || value === null ? [] : flatAnswer(value);
-            if (value !== null && (isWord || !same(numbers, flatAnswer(right))) && !part.wrongs.some((item) => (isWord ? item.answer === value : same(item.numbers, numbers)))) {
+            if (value !== null && (isWord || !same(numbers, part.numbers)) && !part.wrongs.some((item) => (isWord ? item.answer === value : same(item.numbers, numbers)))) {
                 part.wrongs.push({ answer: isWord ? value : answerText(value), numbers, say });
             }
         }
@@ -105,19 +105,19 @@ export function exerciseOf({ text, parts, options }) {
 export const lensWords = (tangent) => (tangent.equals(1) ? 'a vertical field of view of 90 degrees' : `a vertical field of view of 2 atan(${tangent})`);
 export const lensOptions = (tangent) => (tangent.equals(1) ? [['fov', '90']] : [['focal', `${tangent.under},${2n * tangent.over}`]]);
 // The tangent that comes out when the whole angle is taken for its half; null for 90 degrees, which has none.
-export const fullTangent = (tangent) => (tangent.equals(1) ? null : tangent.times(2).by(Fraction.of(1).minus(tangent.times(tangent))));
+export const fullTangent = (tangent) => (tangent.equals(1) ? null : tangent.times(2).by(fractionOf(1).minus(tangent.times(tangent))));
 // A number as pinhole-sim's options take it: decimal. Its denominator is a product of twos and fives.
-export const optionOf = (value) => `${Number(Fraction.of(value).over) / Number(Fraction.of(value).under)}`;
-export const placeOf = (place) => place.map(optionOf).join();
+export const optionOf = (value) => `${Number(fractionOf(value).over) / Number(fractionOf(value).under)}`;
+export const optionPlace = (place) => place.map(optionOf).join();
 export const placeWords = (place) => `(${place.join(', ')})`;
 
 // The matrix of a right-handed lens: HAW's Q_ndc and OpenGL's.
 export function lensMatrix(tangent, aspect, near, far) {
-    const range = Fraction.of(near).minus(far);
+    const range = fractionOf(near).minus(far);
     return [
-        [Fraction.of(1).by(tangent).by(aspect), 0, 0, 0],
-        [0, Fraction.of(1).by(tangent), 0, 0],
-        [0, 0, Fraction.of(near).plus(far).by(range), Fraction.of(near).times(far).times(2).by(range)],
+        [fractionOf(1).by(tangent).by(aspect), 0, 0, 0],
+        [0, fractionOf(1).by(tangent), 0, 0],
+        [0, 0, fractionOf(near).plus(far).by(range), fractionOf(near).times(far).times(2).by(range)],
         [0, 0, -1, 0],
     ];
 }

@@ -1,26 +1,25 @@
 // lesson_exercise_eece: exercises on EECE 478: transforms and their order, and two slides with a mistake.
-import { Fraction, fractionsOf, matrixInverse, matrixOn, matrixTimes } from './lesson_fraction.mjs';
-import { exerciseOf, matrixLines, oneFrom, placeOf, placeWords, signedFrom, wholeFrom } from './lesson_exercise.mjs';
+import { fractionOf, fractionsOf, matrixInverse, matrixOn, matrixTimes } from './lesson_fraction.mjs';
+import { exerciseOf, matrixLines, oneFrom, optionPlace, placeWords, signedFrom, wholeFrom } from './lesson_exercise.mjs';
 import { pythagorean } from './lesson_exercise_haw.mjs';
 
-const exactEece = Fraction.of;
 const axisNames = ['x', 'y', 'z'];
 
 // A right-handed rotation about axis 0 .. 2, as a 3x3 matrix.
 function rotationAbout(axis, sine, cosine) {
     const [next, last] = [(axis + 1) % 3, (axis + 2) % 3], rows = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(fractionsOf);
-    rows[next][next] = rows[last][last] = exactEece(cosine);
-    rows[next][last] = exactEece(sine).negative();
-    rows[last][next] = exactEece(sine);
+    rows[next][next] = rows[last][last] = fractionOf(cosine);
+    rows[next][last] = fractionOf(sine).negative();
+    rows[last][next] = fractionOf(sine);
     return rows;
 }
 
-const added = (one, other) => one.map((value, i) => exactEece(value).plus(other[i]));
-const subtracted = (one, other) => one.map((value, i) => exactEece(value).minus(other[i]));
+const added = (one, other) => one.map((value, i) => fractionOf(value).plus(other[i]));
+const subtracted = (one, other) => one.map((value, i) => fractionOf(value).minus(other[i]));
 const smallPlace = (random) => [signedFrom(random, 6), signedFrom(random, 6), signedFrom(random, 6)];
 // The quaternion of a rotation, as --camera takes it; the sine is not 0.
 const quaternionOf = (axis, sine, cosine) => {
-    const half = exactEece(sine).by(exactEece(cosine).plus(1)), parts = [half.under, 0n, 0n, 0n];
+    const half = fractionOf(sine).by(fractionOf(cosine).plus(1)), parts = [half.under, 0n, 0n, 0n];
     parts[axis + 1] = half.over;
     return parts.join();
 };
@@ -55,7 +54,7 @@ function makeOrder(random) {
                 ],
             },
         ],
-        options: [['camera', `quat=${quaternionOf(axis, sign, 0)},eye=${shift.join()}`], ['point', point.join()]],
+        options: [['projection', 'ortho'], ['camera', `quat=${quaternionOf(axis, sign, 0)},eye=${shift.join()}`], ['point', point.join()]],
     });
 }
 
@@ -81,17 +80,17 @@ function makeSense(random) {
                 ],
             },
         ],
-        options: [['camera', `quat=${quaternionOf(axis, sine, cosine)},eye=${eye.join()}`], ['point', point.join()]],
+        options: [['projection', 'ortho'], ['camera', `quat=${quaternionOf(axis, sine, cosine)},eye=${eye.join()}`], ['point', point.join()]],
     });
 }
 
 function makeMistakes(random) {
     const low = () => -wholeFrom(random, 1, 4), [left, bottom] = [low(), low()], right = -left + wholeFrom(random, 1, 4), top = -bottom + wholeFrom(random, 1, 4);
     const near = wholeFrom(random, 1, 4), far = near * wholeFrom(random, 2, 5);
-    const over = (sum, width) => exactEece(sum).by(width), column = [over(-right - left, right - left), over(-top - bottom, top - bottom), over(-far - near, far - near)];
+    const over = (sum, width) => fractionOf(sum).by(width), column = [over(-right - left, right - left), over(-top - bottom, top - bottom), over(-far - near, far - near)];
     const slide = [[over(2, right - left), 0, 0, column[0].negative()], [0, over(2, top - bottom), 0, column[1].negative()], [0, 0, over(-2, far - near), column[2].negative()], [0, 0, 0, 1]];
-    const times = exactEece(far).by(near), corner = [times.times(right), times.times(top), exactEece(-far)];
-    const clip = [over(2 * near * right - (right + left) * far, right - left), over(2 * near * top - (top + bottom) * far, top - bottom), exactEece(far), exactEece(far)];
+    const times = fractionOf(far).by(near), corner = [times.times(right), times.times(top), fractionOf(-far)];
+    const clip = [over(2 * near * right - (right + left) * far, right - left), over(2 * near * top - (top + bottom) * far, top - bottom), fractionOf(far), fractionOf(far)];
     return exerciseOf({
         text: `The view volume has l = ${left}, r = ${right}, b = ${bottom}, t = ${top}, n = ${near}, f = ${far}. EECE's slide Orthographic Projection (2) has this matrix for it. Find the mistake.\n\n${matrixLines(slide)}`,
         parts: [
@@ -111,8 +110,8 @@ function makeMistakes(random) {
             {
                 label: 'View Frustum (3) takes (r, t, -f) for the far corner of the perspective frustum. The right corner: x y z', right: corner, hint: 'The frustum grows with the distance: r and t are at the near plane.', wrongs: [
                     [[right, top, -far], 'This is the slide\'s. r and t are measured at the near plane; the far plane is larger.'],
-                    [[corner[0], corner[1], exactEece(far)], 'z is negative in front of the camera.'],
-                    [[over(right * near, far), over(top * near, far), exactEece(-far)], 'The far plane is larger than the near one, not smaller: f over n.'],
+                    [[corner[0], corner[1], fractionOf(far)], 'z is negative in front of the camera.'],
+                    [[over(right * near, far), over(top * near, far), fractionOf(-far)], 'The far plane is larger than the near one, not smaller: f over n.'],
                 ],
             },
             {
@@ -120,7 +119,7 @@ function makeMistakes(random) {
                     [[near, near, near, near], 'This is what the slide says. But w is -z, which is f here.'],
                     [[far, far, far, far], 'This is where the real far corner goes.'],
                     [clip.map((value) => value.by(far)), 'This is already divided by w.'],
-                    [[over(2 * near * right + (right + left) * far, right - left), over(2 * near * top + (top + bottom) * far, top - bottom), exactEece(far), exactEece(far)], 'The third column is multiplied by z, which is -f.'],
+                    [[over(2 * near * right + (right + left) * far, right - left), over(2 * near * top + (top + bottom) * far, top - bottom), fractionOf(far), fractionOf(far)], 'The third column is multiplied by z, which is -f.'],
                 ],
             },
         ],
@@ -153,19 +152,19 @@ function makeChain(random) {
                 ],
             },
             {
-                label: 'w of q', right: exactEece(w), hint: 'The bottom row of P is 0 0 -1 0.', wrongs: [
+                label: 'w of q', right: fractionOf(w), hint: 'The bottom row of P is 0 0 -1 0.', wrongs: [
                     [-w, 'w is -z: it is above 0 for what the camera sees.'],
                     [1, 'P makes w from z.'],
                 ],
             },
             {
-                label: 'x and y of q after the division', right: [exactEece(seen[0]).by(w), exactEece(seen[1]).by(w)], hint: 'With 90 degrees P leaves x and y as they are. Then divide by w.', wrongs: [
+                label: 'x and y of q after the division', right: [fractionOf(seen[0]).by(w), fractionOf(seen[1]).by(w)], hint: 'With 90 degrees P leaves x and y as they are. Then divide by w.', wrongs: [
                     [seen.slice(0, 2), 'The division by w is missing.'],
-                    [[exactEece(-seen[0]).by(w), exactEece(-seen[1]).by(w)], 'This is divided by z. w is -z.'],
+                    [[fractionOf(-seen[0]).by(w), fractionOf(-seen[1]).by(w)], 'This is divided by z. w is -z.'],
                 ],
             },
         ],
-        options: [['size', '100x100'], ['fov', '90'], ['camera', `quat=${quaternionOf(1, around, 0)},eye=${placeOf(eye)}`], ['point', world.join()]],
+        options: [['size', '100x100'], ['fov', '90'], ['camera', `quat=${quaternionOf(1, around, 0)},eye=${optionPlace(eye)}`], ['point', world.join()]],
     });
 }
 

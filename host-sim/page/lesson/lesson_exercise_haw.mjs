@@ -1,16 +1,15 @@
 // lesson_exercise_haw: the six exercises of HAW, chapter 9.
-import { Fraction, fractionsOf, matrixInverse, matrixOn, matrixTranspose } from './lesson_fraction.mjs';
-import { exerciseOf, fullTangent, lensMatrix, lensOptions, lensWords, oneFrom, placeOf, placeWords, signedFrom, wholeFrom } from './lesson_exercise.mjs';
+import { fractionOf, fractionsOf, matrixInverse, matrixOn, matrixTranspose } from './lesson_fraction.mjs';
+import { exerciseOf, fullTangent, lensMatrix, lensOptions, lensWords, oneFrom, optionPlace, placeWords, signedFrom, wholeFrom } from './lesson_exercise.mjs';
 
-const exactHaw = Fraction.of;
 export const lensTangents = ['1/2', '1', '2', '1/4'];
 export const lensSizes = [[200, 100], [100, 100], [100, 200], [400, 100], [240, 120], [320, 160]];
 export const sizeOption = ([width, height]) => ['size', `${width}x${height}`];
 export const pythagorean = [['3/5', '4/5'], ['4/5', '3/5'], ['-3/5', '4/5'], ['-4/5', '3/5'], ['3/5', '-4/5'], ['-4/5', '-3/5']];
 
 function makeBall(random) {
-    const tangent = exactHaw(oneFrom(random, ['1/2', '2', '1/4'])), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]);
-    const aspect = exactHaw(size[0]).by(size[1]), distance = wholeFrom(random, 8, 24), radius = exactHaw(oneFrom(random, ['1/4', '1/2', '3/4']));
+    const tangent = fractionOf(oneFrom(random, ['1/2', '2', '1/4'])), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]);
+    const aspect = fractionOf(size[0]).by(size[1]), distance = wholeFrom(random, 8, 24), radius = fractionOf(oneFrom(random, ['1/4', '1/2', '3/4']));
     const height = tangent.times(2 * distance), width = height.times(aspect), limit = width.by(2).minus(radius), full = fullTangent(tangent);
     return exerciseOf({
         text: `A ball with the radius ${radius} bounces inside the view frustum. The camera has ${lensWords(tangent)}, and the picture is ${size[0]} pixels wide and ${size[1]} high. The ball is at z_c = -${distance} in camera space.`,
@@ -46,7 +45,7 @@ function makeBall(random) {
 function makeLookAt(random) {
     const [sine, cosine] = fractionsOf(oneFrom(random, [[1, 0], [-1, 0], [0, -1], ...pythagorean])), whole = sine.under === 1n;
     const target = [wholeFrom(random, -3, 3), wholeFrom(random, -3, 3), wholeFrom(random, -3, 3)], away = whole ? wholeFrom(random, 2, 9) : 5 * wholeFrom(random, 1, 3);
-    const eye = [sine.times(away).plus(target[0]), exactHaw(target[1]), cosine.times(away).plus(target[2])];
+    const eye = [sine.times(away).plus(target[0]), fractionOf(target[1]), cosine.times(away).plus(target[2])];
     const matrixOf = (s, c, at) => [[c, 0, s, at[0]], [0, 1, 0, at[1]], [s.negative(), 0, c, at[2]], [0, 0, 0, 1]].map(fractionsOf);
     const right = matrixOf(sine, cosine, eye);
     return exerciseOf({
@@ -61,7 +60,7 @@ function makeLookAt(random) {
                 [matrixOf(sine, cosine, target), 'The last column is the place of the camera, not of the target.'],
             ],
         }],
-        options: [['camera', `eye=${placeOf(eye)},target=${placeOf(target)}`]],
+        options: [['camera', `eye=${optionPlace(eye)},target=${optionPlace(target)}`]],
     });
 }
 
@@ -92,9 +91,9 @@ function sameButForFactor(numbers, others) {
 }
 
 function makePlane(random) {
-    const a = wholeFrom(random, 1, 5), b = wholeFrom(random, 1, 5), share = exactHaw(oneFrom(random, ['1/2', '1/3', '2/3', '2', '-1'])), factor = exactHaw(oneFrom(random, ['2', '3', '4', '1/2', '-2']));
+    const a = wholeFrom(random, 1, 5), b = wholeFrom(random, 1, 5), share = fractionOf(oneFrom(random, ['1/2', '1/3', '2/3', '2', '-1'])), factor = fractionOf(oneFrom(random, ['2', '3', '4', '1/2', '-2']));
     const onLine = [share.times(a), share.minus(1).times(b)], point = onLine.map((value) => value.times(factor)), far = signedFrom(random, 4);
-    const bottom = [exactHaw(1).by(a), exactHaw(-1).by(b), exactHaw(0)], right = [[1, 0, 0], [0, 1, 0], bottom], norm = 1 / Math.hypot(1 / a, 1 / b);
+    const bottom = [fractionOf(1).by(a), fractionOf(-1).by(b), fractionOf(0)], right = [[1, 0, 0], [0, 1, 0], bottom], norm = 1 / Math.hypot(1 / a, 1 / b);
     return exerciseOf({
         text: `Project points of the plane from the camera at the origin onto the line through (${a}, 0) and (0, ${-b}).`,
         parts: [
@@ -114,7 +113,7 @@ function makePlane(random) {
                 ],
             },
             {
-                label: `w of R = (${a * far}, ${b * far})`, right: exactHaw(0), hint: 'The bottom row times R.', wrongs: [
+                label: `w of R = (${a * far}, ${b * far})`, right: fractionOf(0), hint: 'The bottom row times R.', wrongs: [
                     [1, 'w is 1 before the matrix. The bottom row makes another one.'],
                     [2 * far, 'The bottom row has a minus sign at y: R lies in the direction of the line, so its ray never meets it.'],
                 ],
@@ -126,16 +125,16 @@ function makePlane(random) {
 }
 
 function makeDepth(random) {
-    const near = wholeFrom(random, 1, 4), far = near * wholeFrom(random, 3, 9), z = wholeFrom(random, near + 1, far - 1), range = exactHaw(far - near);
-    const a = exactHaw(far + near).by(range), b = exactHaw(2 * near * far).by(range), right = a.minus(b.by(z)), nought = exactHaw(-2 * near * far).by(far + near);
+    const near = wholeFrom(random, 1, 4), far = near * wholeFrom(random, 3, 9), z = wholeFrom(random, near + 1, far - 1), range = fractionOf(far - near);
+    const a = fractionOf(far + near).by(range), b = fractionOf(2 * near * far).by(range), right = a.minus(b.by(z)), nought = fractionOf(-2 * near * far).by(far + near);
     return exerciseOf({
         text: `g(z) = a + b/z maps the depth z of camera space, which is negative, to normalised device coordinates: g(-${near}) = -1 at the near plane, and g(-${far}) = 1 at the far plane.`,
         parts: [
             {
                 label: 'a', right: a, hint: 'Subtract the two equations to lose a; that gives b.', wrongs: [
                     [a.negative(), 'The sign is the other one: this swaps near and far. z is negative in both equations.'],
-                    [exactHaw(1).by(a), 'This is upside down.'],
-                    [exactHaw(far).by(range), 'This a belongs to a depth from 0 to 1. Here the near plane goes to -1.'],
+                    [fractionOf(1).by(a), 'This is upside down.'],
+                    [fractionOf(far).by(range), 'This a belongs to a depth from 0 to 1. Here the near plane goes to -1.'],
                 ],
             },
             {
@@ -147,14 +146,14 @@ function makeDepth(random) {
             {
                 label: `g(-${z})`, right, hint: 'Put z, with its sign, into a + b/z.', wrongs: [
                     [a.plus(b.by(z)), 'z is negative here: -b over the distance.'],
-                    [exactHaw(2 * (z - near)).by(range).minus(1), 'This is the straight line between both planes. The map has 1/z in it, so it is curved.'],
+                    [fractionOf(2 * (z - near)).by(range).minus(1), 'This is the straight line between both planes. The map has 1/z in it, so it is curved.'],
                     [right.plus(1).by(2), 'This depth goes from 0 to 1. HAW\'s goes from -1 to 1.'],
                 ],
             },
             {
                 label: 'the z at which g is 0', right: nought, hint: 'a + b/z = 0.', wrongs: [
                     [nought.negative(), 'What the camera sees has a negative z.'],
-                    [exactHaw(-far - near).by(2), 'This is the middle between both planes. The middle of the depths comes much earlier.'],
+                    [fractionOf(-far - near).by(2), 'This is the middle between both planes. The middle of the depths comes much earlier.'],
                 ],
             },
         ],
@@ -163,7 +162,7 @@ function makeDepth(random) {
 }
 
 function makeMatrix(random) {
-    const tangent = exactHaw(oneFrom(random, lensTangents)), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]), aspect = exactHaw(size[0]).by(size[1]);
+    const tangent = fractionOf(oneFrom(random, lensTangents)), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]), aspect = fractionOf(size[0]).by(size[1]);
     const near = wholeFrom(random, 1, 4), far = near * wholeFrom(random, 2, 6), right = lensMatrix(tangent, aspect, near, far), full = fullTangent(tangent);
     const z = wholeFrom(random, near + 1, far + 3), point = [signedFrom(random, 5), signedFrom(random, 5), -z], clip = matrixOn(right, [...point, 1]), ndc = clip.slice(0, 3).map((value) => value.by(z));
     const changed = (...cells) => right.map((row, i) => row.map((value, j) => cells.find((cell) => cell[0] === i && cell[1] === j)?.[2] ?? value));
@@ -178,8 +177,8 @@ function makeMatrix(random) {
                     [changed([0, 0, right[1][1]], [1, 1, right[0][0]]), 'The aspect stands in the wrong row: it divides x.'],
                     [changed([0, 0, right[1][1].times(aspect)]), 'The aspect is width over height, and it divides x.'],
                     [full === null ? null : lensMatrix(full, aspect, near, far), 'This takes the tangent of the whole angle. The triangle has half of it.'],
-                    [lensMatrix(exactHaw(1).by(tangent), aspect, near, far), 'The tangent divides: a wider angle makes things smaller.'],
-                    [changed([2, 2, exactHaw(far).by(near - far)], [2, 3, exactHaw(near * far).by(near - far)]), 'This depth goes from 0 to 1. HAW\'s goes from -1 to 1.'],
+                    [lensMatrix(fractionOf(1).by(tangent), aspect, near, far), 'The tangent divides: a wider angle makes things smaller.'],
+                    [changed([2, 2, fractionOf(far).by(near - far)], [2, 3, fractionOf(near * far).by(near - far)]), 'This depth goes from 0 to 1. HAW\'s goes from -1 to 1.'],
                 ],
             },
             {

@@ -1,14 +1,12 @@
 // lesson_exercise_kaist: exercises on KAIST's chapter 4 and on the notes 4.1 of 4600.
-import { Fraction, fractionsOf, matrixOn, matrixTranspose } from './lesson_fraction.mjs';
-import { exerciseOf, insideOf, oneFrom, placeOf, placeWords, signedFrom, wholeFrom } from './lesson_exercise.mjs';
+import { fractionOf, fractionsOf, matrixOn, matrixTranspose } from './lesson_fraction.mjs';
+import { exerciseOf, insideOf, oneFrom, optionPlace, placeWords, signedFrom, wholeFrom } from './lesson_exercise.mjs';
 import { lensSizes, pythagorean, sizeOption } from './lesson_exercise_haw.mjs';
-
-const exactKaist = Fraction.of;
 
 // A camera whose direction of view lies in the plane of y and z, so that the given up vector has to be adjusted.
 function makeFactors(random) {
     const [sine, cosine] = fractionsOf(oneFrom(random, pythagorean)), side = cosine.over < 0n ? -1 : 1, target = [wholeFrom(random, -3, 3), wholeFrom(random, -3, 3), wholeFrom(random, -3, 3)];
-    const away = 5 * wholeFrom(random, 1, 3), eye = [exactKaist(target[0]), sine.times(away).plus(target[1]), cosine.times(away).plus(target[2])];
+    const away = 5 * wholeFrom(random, 1, 3), eye = [fractionOf(target[0]), sine.times(away).plus(target[1]), cosine.times(away).plus(target[2])];
     const up = [0, cosine.size(), sine.times(-side)], rows = [[side, 0, 0], up, [0, sine, cosine]].map(fractionsOf), column = matrixOn(rows, eye).map((value) => value.negative());
     const flipped = [rows[0], rows[1], rows[2].map((value) => value.negative())], turned = matrixOn(matrixTranspose(rows), eye).map((value) => value.negative());
     return exerciseOf({
@@ -17,7 +15,7 @@ function makeFactors(random) {
             {
                 label: 'u, the adjusted up vector: x y z', right: up, hint: 'It is at right angles to l, and its y is above 0.', wrongs: [
                     [[0, 1, 0], 'This is the given up vector. It is not at right angles to l.'],
-                    [up.map((value) => exactKaist(value).negative()), 'This is l x r. u is r x l.'],
+                    [up.map((value) => fractionOf(value).negative()), 'This is l x r. u is r x l.'],
                     [[0, sine, cosine], 'This is -l, the third row of R.'],
                 ],
             },
@@ -37,13 +35,13 @@ function makeFactors(random) {
                 ],
             },
         ],
-        options: [['camera', `eye=${placeOf(eye)},target=${placeOf(target)}`]],
+        options: [['camera', `eye=${optionPlace(eye)},target=${optionPlace(target)}`]],
     });
 }
 
 function makeFlatten(random) {
-    const d = oneFrom(random, [2, 3, 4]), z = d * wholeFrom(random, 2, 5), step = wholeFrom(random, 1, 3), [x, y] = [signedFrom(random, 9), signedFrom(random, 9)], by = (value, under) => exactKaist(value).by(under);
-    const near = exactKaist(z).by(d), seen = [by(x, near), by(y, near), exactKaist(d)], back = by(y * d, z + step);
+    const d = oneFrom(random, [2, 3, 4]), z = d * wholeFrom(random, 2, 5), step = wholeFrom(random, 1, 3), [x, y] = [signedFrom(random, 9), signedFrom(random, 9)], by = (value, under) => fractionOf(value).by(under);
+    const near = fractionOf(z).by(d), seen = [by(x, near), by(y, near), fractionOf(d)], back = by(y * d, z + step);
     return exerciseOf({
         text: `The point is ${placeWords([x, y, z])} in camera space, and the camera looks along +z. KAIST 4.7 drops z in parallel, KAIST 4.11 makes w = z, EECE's pinhole has the focal length d = ${d} and w = z/d.`,
         parts: [
@@ -89,47 +87,47 @@ function makeFlatten(random) {
 }
 
 function makeNotes(random) {
-    const [width, height] = oneFrom(random, lensSizes), aspect = exactKaist(width).by(height), screen = oneFrom(random, [2, 4]), focal = exactKaist(oneFrom(random, [screen / 2, screen])), tangent = exactKaist(screen).by(2).by(focal);
+    const [width, height] = oneFrom(random, lensSizes), aspect = fractionOf(width).by(height), screen = oneFrom(random, [2, 4]), focal = fractionOf(oneFrom(random, [screen / 2, screen])), tangent = fractionOf(screen).by(2).by(focal);
     const near = wholeFrom(random, 2, 4), far = near * wholeFrom(random, 4, 8), range = far - near, z = wholeFrom(random, 5, far - 1), reach = tangent.times(z);
     const x = signedFrom(random, insideOf(reach.times(aspect))), y = signedFrom(random, insideOf(reach));
-    const ndc = [exactKaist(x).by(tangent).by(aspect).by(z), exactKaist(y).by(tangent).by(z)], pixel = [ndc[0].plus(1).times(width).by(2), exactKaist(1).minus(ndc[1]).times(height).by(2)], p = exactKaist(far).by(range), q = exactKaist(-far * near).by(range), depth = q.by(z).plus(p);
+    const ndc = [fractionOf(x).by(tangent).by(aspect).by(z), fractionOf(y).by(tangent).by(z)], pixel = [ndc[0].plus(1).times(width).by(2), fractionOf(1).minus(ndc[1]).times(height).by(2)], p = fractionOf(far).by(range), q = fractionOf(-far * near).by(range), depth = q.by(z).plus(p);
     return exerciseOf({
         text: `A camera as the notes have it looks along +z. Its screen is ${screen} high, at the focal length ${focal}. Near is ${near}, far ${far}. The picture is ${width} pixels wide and ${height} high. The point is ${placeWords([x, y, z])} in camera space.`,
         parts: [
             {
                 label: 'tan(FOV/2)', right: tangent, hint: 'Half of the screen over the focal length.', wrongs: [
                     [tangent.times(2), 'The angle is halved, so the screen is to be halved, too.'],
-                    [exactKaist(1).by(tangent), 'This is upside down: a longer focal length sees less.'],
+                    [fractionOf(1).by(tangent), 'This is upside down: a longer focal length sees less.'],
                 ],
             },
             {
                 label: 'y on the screen (similar triangles: y f / z)', right: focal.times(y).by(z), hint: 'f is the focal length here.', wrongs: [
-                    [exactKaist(y * z).by(focal), 'This is upside down: far points come nearer to the middle.'],
-                    [exactKaist(y).by(z), 'The screen is at the focal length: multiply by it.'],
+                    [fractionOf(y * z).by(focal), 'This is upside down: far points come nearer to the middle.'],
+                    [fractionOf(y).by(z), 'The screen is at the focal length: multiply by it.'],
                     [focal.times(y), 'The division by z is missing.'],
                 ],
             },
             {
                 label: 'P and Q', right: [p, q], hint: 'z\' = P + Q/z is 0 at near and 1 at far.', wrongs: [
                     [[p, q.negative()], 'Q has a minus sign, so that near goes to 0.'],
-                    [[exactKaist(far + near).by(range), q.times(2)], 'This depth goes from -1 to 1. The notes\' goes from 0 to 1.'],
+                    [[fractionOf(far + near).by(range), q.times(2)], 'This depth goes from -1 to 1. The notes\' goes from 0 to 1.'],
                     [[q, p], 'P and Q are swapped: P is multiplied by z, Q by 1.'],
                     [[p.negative(), q], 'P has the other sign: these notes look along +z.'],
                 ],
             },
             {
                 label: 'z\' after the division', right: depth, hint: 'P + Q/z.', wrongs: [
-                    [exactKaist(z - near).by(range), 'This is the straight line from near to far. z\' has Q/z in it, so it is curved.'],
+                    [fractionOf(z - near).by(range), 'This is the straight line from near to far. z\' has Q/z in it, so it is curved.'],
                     [p.times(z).plus(q), 'The division by w = z is missing.'],
                     [depth.times(2).minus(1), 'This depth goes from -1 to 1. The notes\' goes from 0 to 1.'],
                 ],
             },
             {
                 label: 'Pixel.x and Pixel.y', right: pixel, hint: '(NDC.x + 1) w/2 and (1 - NDC.y) h/2, with NDC.x = x / (A tan z).', wrongs: [
-                    [[pixel[0], exactKaist(height).minus(pixel[1])], 'y counts downwards: 1 - NDC.y.'],
+                    [[pixel[0], fractionOf(height).minus(pixel[1])], 'y counts downwards: 1 - NDC.y.'],
                     [[ndc[0].times(aspect).plus(1).times(width).by(2), pixel[1]], 'The aspect ratio is missing in x.'],
                     [ndc, 'These are normalised coordinates. The step to pixels is missing.'],
-                    [[pixel[0].minus(exactKaist(width).by(2)), pixel[1].minus(exactKaist(height).by(2))], 'The middle of the picture is at half of its width and height.'],
+                    [[pixel[0].minus(fractionOf(width).by(2)), pixel[1].minus(fractionOf(height).by(2))], 'The middle of the picture is at half of its width and height.'],
                     [[pixel[0].times(2), pixel[1].times(2)], 'Normalised coordinates go from -1 to 1, so half of the width and of the height scale them.'],
                 ],
             },

@@ -1,13 +1,11 @@
 // lesson_exercise_lmu: exercises on LMU's tutorial 4: the Hitchcock zoom, and two statements that do not go together.
-import { Fraction } from './lesson_fraction.mjs';
-import { exerciseOf, fullTangent, lensOptions, lensWords, oneFrom, placeOf, placeWords, signedFrom, wholeFrom } from './lesson_exercise.mjs';
+import { fractionOf } from './lesson_fraction.mjs';
+import { exerciseOf, fullTangent, lensOptions, lensWords, oneFrom, optionPlace, placeWords, signedFrom, wholeFrom } from './lesson_exercise.mjs';
 import { sizeOption } from './lesson_exercise_haw.mjs';
 
-const exactLmu = Fraction.of;
-
 function makeHalf(random) {
-    const tangent = exactLmu(oneFrom(random, ['1/4', '1/2', '1', '1/8'])), distance = 2 * wholeFrom(random, 2, 8), behind = wholeFrom(random, 1, 9), height = wholeFrom(random, 1, 3);
-    const near = tangent.times(2), focal = exactLmu(1).by(tangent), after = focal.by(2).times(height).by(distance / 2 + behind), before = focal.times(height).by(distance + behind);
+    const tangent = fractionOf(oneFrom(random, ['1/4', '1/2', '1', '1/8'])), distance = 2 * wholeFrom(random, 2, 8), behind = wholeFrom(random, 1, 9), height = wholeFrom(random, 1, 3);
+    const near = tangent.times(2), focal = fractionOf(1).by(tangent), after = focal.by(2).times(height).by(distance / 2 + behind), before = focal.times(height).by(distance + behind);
     return exerciseOf({
         text: `A subject is at the distance ${distance}. The camera has ${lensWords(tangent)}: as a pinhole camera with an image 2 high, its focal length is ${focal}. It goes to half of the distance, and the subject is to keep its size in the picture.`,
         parts: [
@@ -31,40 +29,40 @@ function makeHalf(random) {
                     [before, 'This is its height before the move. Only the subject keeps its size: what is behind becomes smaller.'],
                     [focal.times(height).by(distance / 2 + behind), 'The lens has changed, too.'],
                     [focal.by(2).times(height).by(distance + behind), 'The camera has come nearer to the column, too.'],
-                    [focal.by(2).times(height).by(exactLmu(distance + behind).by(2)), 'The column\'s distance is not halved: only the subject\'s is. The gap between them stays.'],
+                    [focal.by(2).times(height).by(fractionOf(distance + behind).by(2)), 'The column\'s distance is not halved: only the subject\'s is. The gap between them stays.'],
                 ],
             },
         ],
-        options: [['size', '100x100'], ...lensOptions(near), ['camera', `eye=0,0,${distance / 2}`], ['point', placeOf([0, height, -behind])]],
+        options: [['size', '100x100'], ...lensOptions(near), ['camera', `eye=0,0,${distance / 2}`], ['point', optionPlace([0, height, -behind])]],
     });
 }
 
 function makeSquare(random) {
-    const size = oneFrom(random, [[240, 120], [120, 240], [480, 120]]), [width, height] = size, aspect = exactLmu(width).by(height);
-    const high = wholeFrom(random, 1, 4), wide = high + oneFrom(random, [1, 2, 3]), distance = oneFrom(random, [2, 4, 8]), tangent = exactLmu(high).by(2 * distance), share = exactLmu(wide).by(aspect.times(high));
+    const size = oneFrom(random, [[240, 120], [120, 240], [480, 120]]), [width, height] = size, aspect = fractionOf(width).by(height);
+    const high = wholeFrom(random, 1, 4), wide = high + oneFrom(random, [1, 2, 3]), distance = oneFrom(random, [2, 4, 8]), tangent = fractionOf(high).by(2 * distance), share = fractionOf(wide).by(aspect.times(high));
     return exerciseOf({
         text: `A subject is ${wide} wide and ${high} high, at the distance ${distance}. The picture is ${width} pixels wide and ${height} high. The lens is chosen so that the subject's height fills the picture's.`,
         parts: [
             {
                 label: 'the tangent of half of the vertical field of view', right: tangent, hint: 'Half of the height over the distance.', wrongs: [
                     [tangent.times(2), 'The angle is halved, so the height is to be halved, too.'],
-                    [exactLmu(1).by(tangent), 'This is upside down: the tangent is half of the height over the distance.'],
-                    [exactLmu(wide).by(2 * distance), 'This is made from the width. The vertical field of view belongs to the height.'],
+                    [fractionOf(1).by(tangent), 'This is upside down: the tangent is half of the height over the distance.'],
+                    [fractionOf(wide).by(2 * distance), 'This is made from the width. The vertical field of view belongs to the height.'],
                 ],
             },
             {
                 label: 'the subject\'s width over the width that the picture shows there', right: share, hint: 'The picture shows aspect times the height.', wrongs: [
                     [aspect.times(wide).by(high), 'The aspect ratio divides: a wider picture shows more beside the subject.'],
-                    [exactLmu(wide).by(high), 'The aspect ratio of the picture is missing.'],
-                    [exactLmu(1).by(share), 'This is upside down.'],
+                    [fractionOf(wide).by(high), 'The aspect ratio of the picture is missing.'],
+                    [fractionOf(1).by(share), 'This is upside down.'],
                     [1, 'It is 1 only where subject and picture have the same ratio of width to height, as two squares have.'],
                 ],
             },
             {
-                label: `how many pixels wide a picture ${height} high must be, so that the whole subject fills it exactly`, right: exactLmu(height * wide).by(high), hint: 'Picture and subject need the same ratio of width to height.', wrongs: [
-                    [exactLmu(height * high).by(wide), 'The ratio is upside down: the subject is wider than high.'],
+                label: `how many pixels wide a picture ${height} high must be, so that the whole subject fills it exactly`, right: fractionOf(height * wide).by(high), hint: 'Picture and subject need the same ratio of width to height.', wrongs: [
+                    [fractionOf(height * high).by(wide), 'The ratio is upside down: the subject is wider than high.'],
                     [height, 'A square picture is right for a square subject. This one is no square.'],
-                    [exactLmu(width), 'This is the picture as it is. Its ratio is not the subject\'s.'],
+                    [fractionOf(width), 'This is the picture as it is. Its ratio is not the subject\'s.'],
                 ],
             },
         ],
@@ -73,9 +71,9 @@ function makeSquare(random) {
 }
 
 function makeLmuMistakes(random) {
-    const tangent = exactLmu(oneFrom(random, ['1/2', '1', '2'])), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]), aspect = exactLmu(size[0]).by(size[1]);
+    const tangent = fractionOf(oneFrom(random, ['1/2', '1', '2'])), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]), aspect = fractionOf(size[0]).by(size[1]);
     const near = -wholeFrom(random, 1, 3), far = near * wholeFrom(random, 8, 12), z = -wholeFrom(random, 1 - near, 1 - far), point = [oneFrom(random, [1, -1]) * wholeFrom(random, 2, 9), oneFrom(random, [1, -1]) * wholeFrom(random, 2, 9), z];
-    const row = exactLmu(-1).by(tangent).by(aspect), clip = row.times(point[0]), x = clip.by(z), y = exactLmu(-point[1]).by(tangent).by(z), outside = clip.size().compare(-z) > 0;
+    const row = fractionOf(-1).by(tangent).by(aspect), clip = row.times(point[0]), x = clip.by(z), y = fractionOf(-point[1]).by(tangent).by(z), outside = clip.size().compare(-z) > 0;
     return exerciseOf({
         text: `LMU's T_persp, with n = ${near} and f = ${far} as coordinates, ${lensWords(tangent)}, and lambda (the aspect ratio) = ${aspect}:\n\nx' = -x/(lambda t), y' = -y/t, w = z, with t the tangent of half of the angle.\n\nThe slides of the Hitchcock zoom print its product with (x, y, z, 1) as -1/(lambda t), -1/t, ..., z. The point is ${placeWords(point)}.`,
         parts: [
@@ -89,14 +87,14 @@ function makeLmuMistakes(random) {
             },
             {
                 label: 'y\' after the division', right: y, hint: 'The second row times the point, divided by w = z.', wrongs: [
-                    [exactLmu(-1).by(tangent).by(z), 'This is the slide\'s, which has lost y: the row is multiplied by y.'],
+                    [fractionOf(-1).by(tangent).by(z), 'This is the slide\'s, which has lost y: the row is multiplied by y.'],
                     [y.negative(), 'z is negative, and so is the second row: both signs go.'],
                     [y.by(aspect), 'The aspect ratio belongs to x alone.'],
                     [y.times(z), 'The division by w is missing.'],
                 ],
             },
             {
-                label: 'w', right: exactLmu(z), hint: 'The bottom row is 0 0 1 0.', wrongs: [
+                label: 'w', right: fractionOf(z), hint: 'The bottom row is 0 0 1 0.', wrongs: [
                     [-z, 'This is OpenGL\'s. LMU\'s w is z itself, below 0 for what is seen.'],
                     [1, 'w is 1 before the matrix. The bottom row makes it z.'],
                 ],

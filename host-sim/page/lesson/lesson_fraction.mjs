@@ -28,7 +28,7 @@ export class Fraction {
         if (over === undefined || text.length > LONGEST) {
             return null;
         }
-        const read = (digits) => new Fraction(BigInt(digits.replace('.', '')), 10n ** BigInt((digits.split('.')[1] ?? '').length));
+        const read = (digits) => new Fraction(BigInt(digits.replace('.', '')), digits.includes('.') ? 10n ** BigInt(digits.split('.')[1].length) : 1n);
         const below = read(under ?? '1');
         return below.over === 0n ? null : read(over).by(below).times(sign === '-' ? -1 : 1);
     }
@@ -80,6 +80,10 @@ export class Fraction {
     toString() {
         return this.under === 1n ? `${this.over}` : `${this.over}/${this.under}`;
     }
+}
+
+export function fractionOf(value) {
+    return Fraction.of(value);
 }
 
 export const fractionsOf = (values) => values.map(Fraction.of);
