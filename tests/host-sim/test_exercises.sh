@@ -22,6 +22,7 @@ stand_in_one_script() {
         [ "$(node "$dir/lesson.mjs")" = '20 55' ]
 }
 
+check "fractions: what is read, sums, products, inverses" node $page/fraction.mjs
 check "20 exercises: right answers in any spelling, and typical wrong ones" node $page/exercises.mjs "$(of 8 1000)"
 check "... and pinhole-sim has the same numbers" node $page/exercises_sim.mjs "$B/pinhole-sim" "$(of 1 20)" "$(of 5 1)"
 check "55 chapters with addresses that pinhole-sim takes" node $page/chapters.mjs "$B/pinhole-sim" "$(of 28 1)"

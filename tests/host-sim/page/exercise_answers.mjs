@@ -168,7 +168,7 @@ const hidden = (text) => {
 };
 
 export const fixed16 = (n, f, w) => floor(add(mul(65536, over(511, 512), over(mul(n, f), add(f, neg(n))), add(over(1, w), neg(over(1, f)))), q('65/4')));
-// Of the exercise `near`: what its plates are.
+// The distances that the exercise `near` states.
 export function plates(text) {
     const [front, back, far] = after(text, /distances /);
     return { front, back, far, first: after(text, /With near /)[0] };
