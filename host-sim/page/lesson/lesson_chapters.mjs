@@ -1,6 +1,7 @@
 // lesson_chapters: the slides of five lectures, in their order. chapters: [{ document, slide, title, text, address }]. An
 // address opens the tab Lesson with the numbers of the slide, under the names of pinhole-sim's options; text says what to
 // change there and what to look at.
+import { lessonAddress } from './lesson_exercise.mjs';
 
 const wideLens = 'size=200x100 fov=90 near=2 far=10', squareLens = 'size=100x100 fov=90 near=1 far=3', atOrigin = 'camera=eye=0,0,0,target=0,0,-1', usualPoint = 'camera=eye=0,0,5 point=1,2,-1';
 const boxLens = 'size=100x100 projection=ortho=-2,6,-1,3 near=2 far=10', leftView = 'view-matrix=1,0,0,0,0,1,0,0,0,0,1,5,0,0,0,1';
@@ -76,9 +77,6 @@ const chapterRows = {
 
 const chapterOrder = ['HAW', 'KAIST', 'EECE', '4600', 'LMU']; // a key that is a number would come first
 
-function chapterAddress(options) {
-    const words = options.split(' ').map((word) => `${word.slice(0, word.indexOf('='))}=${encodeURIComponent(word.slice(word.indexOf('=') + 1))}`);
-    return `#tab=lesson&${words.join('&')}`;
-}
+const chapterOptions = (text) => text.split(' ').map((word) => [word.slice(0, word.indexOf('=')), word.slice(word.indexOf('=') + 1)]);
 
-export const chapters = chapterOrder.flatMap((document) => chapterRows[document].map(([slide, title, text, options]) => ({ document, slide, title, text, address: chapterAddress(options) })));
+export const chapters = chapterOrder.flatMap((document) => chapterRows[document].map(([slide, title, text, options]) => ({ document, slide, title, text, address: lessonAddress(chapterOptions(options)) })));

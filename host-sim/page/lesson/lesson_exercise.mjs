@@ -3,7 +3,7 @@
 //   parts    [{ label, answer, wrongs }]: what is to be typed. `answer` is one right answer, as text: a number, several
 //            with spaces between them, a matrix whose rows have `; ` between them, or a word. wrongs: [{ answer, say }],
 //            typical wrong answers and what is said to them; none of them is right, and no two are equal
-//   options  options of pinhole-sim that show these numbers: [[name, value], ...]
+//   address  opens the tab Lesson with these numbers, but not with the answers; empty where it has nothing to show
 //   check    check(strings), one string a part, returns [{ ok, say }], one a part
 import { Fraction, fractionOf, fractionsOf } from './lesson_fraction.mjs';
 
@@ -54,7 +54,7 @@ function sayOfNumbers(part, numbers, text) {
 
 function judgeWord(part, text) {
     const word = text.trim().toLowerCase(), wrong = part.wrongs.find((item) => item.answer === word);
-    return word === part.right ? { ok: true, say: 'Right.' } : { ok: false, say: wrong?.say ?? part.hint };
+    return word === part.right ? { ok: true, say: '' } : { ok: false, say: wrong?.say ?? part.hint };
 }
 
 function judgePart(part, text) {
@@ -75,13 +75,16 @@ function judgePart(part, text) {
         return part.judge(numbers);
     }
     if (part.same(numbers, part.numbers)) {
-        return { ok: true, say: 'Right.' };
+        return { ok: true, say: '' };
     }
     const wrong = part.wrongs.find((item) => part.same(numbers, item.numbers));
     return { ok: false, say: wrong?.say ?? sayOfNumbers(part, numbers, text) };
 }
 
-// Makes an instance. A part is { label, right, hint, wrongs: [[value, say], ...] }: right and values are a Fraction or a whole
+// The address of the tab Lesson with options of pinhole-sim, [[name, value], ...]. No options: ''.
+export const lessonAddress = (options) => (options.length === 0 ? '' : `#tab=lesson&${options.map(([name, value]) => `${name}=${encodeURIComponent(value)}`).join('&')}`);
+
+// Makes an instance; options are those of pinhole-sim that show its numbers. A part is { label, right, hint, wrongs: [[value, say], ...] }: right and values are a Fraction or a whole
 // number, an array of them, or an array of rows; or a word. A value that is right all the same, that came before or that is null is left out.
 // same(numbers, others): when two answers are one; equal numbers if it is not given. judge(numbers) returns { ok, say } where
 // an answer is not the only one; wrongs are then those that it is to name.
@@ -96,7 +99,7 @@ export function exerciseOf({ text, parts, options }) {
         }
         return part;
     });
-    return { text, parts: made, options, check: (strings) => made.map((part, i) => judgePart(part, strings[i] ?? '')) };
+    return { text, parts: made, address: lessonAddress(options), check: (strings) => made.map((part, i) => judgePart(part, strings[i] ?? '')) };
 }
 
 // ---- cameras and lenses of the exercises -----------------------------------------------------------------------------------

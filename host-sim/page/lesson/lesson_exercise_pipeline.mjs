@@ -101,7 +101,7 @@ function judgeNear(near, { first, far, front, back }) {
     }
     const code = fixed16Code(near, far, front);
     if (!code.equals(fixed16Code(near, far, back))) {
-        return { ok: true, say: `Right. The codes are ${code} and ${fixed16Code(near, far, back)}.` };
+        return { ok: true, say: `The codes are ${code} and ${fixed16Code(near, far, back)}.` };
     }
     const smaller = near.compare(first) <= 0 ? ' A smaller near plane makes it worse.' : ' Move the near plane further out.';
     return { ok: false, say: `Both plates have the code ${code} with it, so they still fight.${smaller}` };
