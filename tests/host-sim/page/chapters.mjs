@@ -1,6 +1,6 @@
 // Usage: node chapters.mjs PINHOLE-SIM STEP
 // The chapters of the page's lesson: as many of each document as tests/host-sim/lesson.txt has things of it, each with words
-// and an address of pinhole-sim's options. Every STEPth address is given to pinhole-sim, and must run.
+// and an address of pinhole-sim's options, and each in the table for teachers in host-sim/README.md. Every STEPth address is given to pinhole-sim, and must run.
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { chapters } from '../../../host-sim/page/lesson/lesson_chapters.mjs';
@@ -34,6 +34,14 @@ chapters.forEach(({ document, slide, title, text, address }, i) => {
         }
     }
 });
+// A cell such as `KAIST 5, 7, 8` or `LMU 1 to 8`
+const teachers = /^## For teachers[^]*?^## pinhole-asset/m.exec(readFileSync(new URL('../../../host-sim/README.md', import.meta.url), 'utf8'))[0];
+const named = [...teachers.matchAll(/ \| (HAW|KAIST|EECE|4600|LMU) (\d[\d, to]*) \| /g)].flatMap(([, document, cell]) => cell.split(', ').flatMap((part) => {
+    const [first, last = first] = part.split(' to ').map(Number);
+    return Array.from({ length: last - first + 1 }, (_, i) => `${document} ${first + i}`);
+}));
+const numbered = chapters.map(({ document }, i) => `${document} ${1 + i - chapters.findIndex((chapter) => chapter.document === document)}`);
+wrong.push(...numbered.filter((name) => !named.includes(name)).map((name) => `README.md: ${name} is missing`), ...named.filter((name) => !numbered.includes(name)).map((name) => `README.md: ${name}: no such chapter`));
 if (new Set(chapters.map(({ document, title }) => document + title)).size !== chapters.length) {
     wrong.push('a title twice');
 }
