@@ -109,6 +109,8 @@ export const lensWords = (tangent) => (tangent.equals(1) ? 'a vertical field of 
 export const lensOptions = (tangent) => (tangent.equals(1) ? [['fov', '90']] : [['focal', `${tangent.under},${2n * tangent.over}`]]);
 // The tangent that comes out when the whole angle is taken for its half; null for 90 degrees, which has none.
 export const fullTangent = (tangent) => (tangent.equals(1) ? null : tangent.times(2).by(fractionOf(1).minus(tangent.times(tangent))));
+// The number that stands in the tangent's place when half of 90 degrees is taken for it; null for another angle.
+export const degreesTangent = (tangent) => (tangent.equals(1) ? fractionOf(45) : null);
 // A number as pinhole-sim's options take it: decimal. Its denominator is a product of twos and fives.
 export const optionOf = (value) => `${Number(fractionOf(value).over) / Number(fractionOf(value).under)}`;
 export const optionPlace = (place) => place.map(optionOf).join();

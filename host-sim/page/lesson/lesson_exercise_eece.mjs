@@ -33,14 +33,14 @@ function makeOrder(random) {
         parts: [
             {
                 label: 'T R p: x y z', right: first, hint: 'The matrix next to p is applied first.', wrongs: [
-                    [second, 'This is R T p: the order is reversed. The matrix next to p is applied first.'],
+                    [second, 'This is R T p: the order is reversed. The matrix next to p is applied first; with row vectors it would be the other one.'],
                     [added(matrixOn(back, point), shift), 'The rotation has the other sense.'],
                     [turned, 'This is only turned. The translation is missing.'],
                 ],
             },
             {
                 label: 'R T p: x y z', right: second, hint: 'First translate, then turn what comes out.', wrongs: [
-                    [first, 'This is T R p: the order is reversed. The matrix next to p is applied first.'],
+                    [first, 'This is T R p: the order is reversed. The matrix next to p is applied first; with row vectors it would be the other one.'],
                     [matrixOn(back, added(point, shift)), 'The rotation has the other sense.'],
                     [added(point, shift), 'This is only translated. The rotation is missing.'],
                 ],

@@ -1,16 +1,17 @@
 // lesson_exercise_haw: the six exercises of HAW, chapter 9.
 import { fractionOf, fractionsOf, matrixInverse, matrixOn, matrixTranspose } from './lesson_fraction.mjs';
-import { exerciseOf, fullTangent, lensMatrix, lensOptions, lensWords, oneFrom, optionPlace, placeWords, signedFrom, wholeFrom } from './lesson_exercise.mjs';
+import { degreesTangent, exerciseOf, fullTangent, lensMatrix, lensOptions, lensWords, oneFrom, optionPlace, placeWords, signedFrom, wholeFrom } from './lesson_exercise.mjs';
 
 export const lensTangents = ['1/2', '1', '2', '1/4'];
-export const lensSizes = [[200, 100], [100, 100], [100, 200], [400, 100], [240, 120], [320, 160]];
+// Sizes whose aspect ratio divides exactly in Pinhole. None is 2, for which two mistakes give the same number.
+export const lensSizes = [[400, 100], [100, 100], [100, 200], [320, 240], [160, 120], [480, 120]];
 export const sizeOption = ([width, height]) => ['size', `${width}x${height}`];
 export const pythagorean = [['3/5', '4/5'], ['4/5', '3/5'], ['-3/5', '4/5'], ['-4/5', '3/5'], ['3/5', '-4/5'], ['-4/5', '-3/5']];
 
 function makeBall(random) {
-    const tangent = fractionOf(oneFrom(random, ['1/2', '2', '1/4'])), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]);
+    const tangent = fractionOf(oneFrom(random, lensTangents)), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]);
     const aspect = fractionOf(size[0]).by(size[1]), distance = wholeFrom(random, 8, 24), radius = fractionOf(oneFrom(random, ['1/4', '1/2', '3/4']));
-    const height = tangent.times(2 * distance), width = height.times(aspect), limit = width.by(2).minus(radius), full = fullTangent(tangent);
+    const height = tangent.times(2 * distance), width = height.times(aspect), limit = width.by(2).minus(radius), full = fullTangent(tangent), degrees = degreesTangent(tangent);
     return exerciseOf({
         text: `A ball with the radius ${radius} bounces inside the view frustum. The camera has ${lensWords(tangent)}, and the picture is ${size[0]} pixels wide and ${size[1]} high. The ball is at z_c = -${distance} in camera space.`,
         parts: [
@@ -18,8 +19,10 @@ function makeBall(random) {
                 label: 'h_c, the height of the frustum there', right: height, hint: 'h_c is twice the distance times the tangent of half of the angle.', wrongs: [
                     [height.negative(), 'A height is above 0. z_c is negative in front of the camera, so the slide\'s formula needs |z_c|.'],
                     [height.by(2), 'This is half of the height: from the axis up to the top. The frustum also goes down from the axis.'],
-                    [full.times(2 * distance), 'This takes the tangent of the whole angle. The triangle from the axis to the top has half of the angle.'],
-                    [full.size().times(2 * distance), 'This takes the tangent of the whole angle. The triangle from the axis to the top has half of the angle.'],
+                    [full?.times(2 * distance) ?? null, 'This takes the tangent of the whole angle. The triangle from the axis to the top has half of the angle.'],
+                    [full?.size().times(2 * distance) ?? null, 'This takes the tangent of the whole angle. The triangle from the axis to the top has half of the angle.'],
+                    [degrees?.times(2 * distance) ?? null, 'This multiplies by the angle in degrees. Take its tangent: that of 45 degrees is 1.'],
+                    [degrees?.times(4 * distance) ?? null, 'This multiplies by the angle in degrees. Take the tangent of half of it.'],
                 ],
             },
             {
@@ -163,7 +166,7 @@ function makeDepth(random) {
 
 function makeMatrix(random) {
     const tangent = fractionOf(oneFrom(random, lensTangents)), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]), aspect = fractionOf(size[0]).by(size[1]);
-    const near = wholeFrom(random, 1, 4), far = near * wholeFrom(random, 2, 6), right = lensMatrix(tangent, aspect, near, far), full = fullTangent(tangent);
+    const near = wholeFrom(random, 1, 4), far = near * wholeFrom(random, 2, 6), right = lensMatrix(tangent, aspect, near, far), full = fullTangent(tangent), degrees = degreesTangent(tangent);
     const z = wholeFrom(random, near + 1, far + 3), point = [signedFrom(random, 5), signedFrom(random, 5), -z], clip = matrixOn(right, [...point, 1]), ndc = clip.slice(0, 3).map((value) => value.by(z));
     const changed = (...cells) => right.map((row, i) => row.map((value, j) => cells.find((cell) => cell[0] === i && cell[1] === j)?.[2] ?? value));
     return exerciseOf({
@@ -177,6 +180,7 @@ function makeMatrix(random) {
                     [changed([0, 0, right[1][1]], [1, 1, right[0][0]]), 'The aspect stands in the wrong row: it divides x.'],
                     [changed([0, 0, right[1][1].times(aspect)]), 'The aspect is width over height, and it divides x.'],
                     [full === null ? null : lensMatrix(full, aspect, near, far), 'This takes the tangent of the whole angle. The triangle has half of it.'],
+                    [degrees === null ? null : lensMatrix(degrees, aspect, near, far), 'This divides by the angle in degrees. Take its tangent: that of 45 degrees is 1.'],
                     [lensMatrix(fractionOf(1).by(tangent), aspect, near, far), 'The tangent divides: a wider angle makes things smaller.'],
                     [changed([2, 2, fractionOf(far).by(near - far)], [2, 3, fractionOf(near * far).by(near - far)]), 'This depth goes from 0 to 1. HAW\'s goes from -1 to 1.'],
                 ],

@@ -149,10 +149,16 @@ function makeNear(random) {
     });
 }
 
-// A triangle of clip space with corners inside and outside of x <= w, all within the other five planes.
+// A triangle of clip space with corners inside and outside of one of the six planes, and inside of the other five.
 function makeClip(random) {
-    const corner = (distance, w) => [w - distance, signedFrom(random, w - 1), signedFrom(random, w - 1), w], into = () => corner(wholeFrom(random, 1, 4), wholeFrom(random, 4, 8)), out = () => corner(-wholeFrom(random, 1, 4), wholeFrom(random, 4, 8));
-    const twoInside = random() < 0.5, a = into(), b = twoInside ? into() : out(), c = out(), da = a[3] - a[0], dc = c[3] - c[0];
+    const axis = wholeFrom(random, 0, 2), side = oneFrom(random, [1, -1]), plane = `w ${side > 0 ? '-' : '+'} ${'xyz'[axis]}`;
+    const corner = (distance) => {
+        const w = wholeFrom(random, 4, 8), place = [signedFrom(random, w - 1), signedFrom(random, w - 1), signedFrom(random, w - 1), w];
+        place[axis] = side * (w - distance);
+        return place;
+    };
+    const da = wholeFrom(random, 1, 4), dc = -1 - ((da + wholeFrom(random, 0, 2)) % 4), twoInside = random() < 0.5; // not as far outside as inside
+    const a = corner(da), b = corner(wholeFrom(random, 1, 4) * (twoInside ? 1 : -1)), c = corner(dc);
     const along = (from, to, share) => from.map((value, i) => share.times(to[i] - value).plus(value)), share = fractionOf(da).by(da - dc), right = along(a, c, share);
     return exerciseOf({
         text: `A triangle has these corners in clip space, before the division: x, y, z, w.\n\nA = ${placeWords(a)}\nB = ${placeWords(b)}\nC = ${placeWords(c)}\n\nIt is clipped against all six planes: -w <= x <= w, and so for y and z.`,
@@ -166,12 +172,12 @@ function makeClip(random) {
                 ],
             },
             {
-                label: 'the new corner on the edge from A to C: x y z w', right, hint: 'w - x is above 0 inside and below 0 outside. The new corner divides the edge where it is 0.', wrongs: [
+                label: 'the new corner on the edge from A to C: x y z w', right, hint: `${plane} is above 0 at A and below 0 at C. The new corner divides the edge where it is 0.`, wrongs: [
                     [along(c, a, share), 'The share is measured from the other end of the edge.'],
-                    [along(a, c, fractionOf('1/2')), 'This is the middle of the edge. Take the place where x is w.'],
-                    [[c[3], ...c.slice(1)], 'This pushes C onto the plane, which gives the edge another direction. Follow the edge.'],
+                    [along(a, c, fractionOf('1/2')), `This is the middle of the edge. Take the place where ${plane} is 0.`],
+                    [c.map((value, i) => (i === axis ? side * c[3] : value)), 'This pushes C onto the plane, which gives the edge another direction. Follow the edge.'],
                     [right.map((value) => value.by(right[3])), 'This is already divided by w. Clipping comes before the division.'],
-                    [da + dc === 0 ? null : along(a, c, fractionOf(da).by(da + dc)), 'w - x of C is below 0: mind its sign when you subtract.'],
+                    [da + dc === 0 ? null : along(a, c, fractionOf(da).by(da + dc)), `${plane} of C is below 0: mind its sign when you subtract.`],
                 ],
             },
         ],

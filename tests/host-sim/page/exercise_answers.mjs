@@ -17,7 +17,7 @@ const add = (...values) => values.map((value) => (Array.isArray(value) ? value :
 const neg = (value) => mul(-1, value);
 const over = (value, under) => div(mul(value), mul(under));
 export const equal = ([a, b], [c, d]) => a * d === c * b;
-const less = (one, other) => add(one, neg(other))[0] < 0n;
+export const less = (one, other) => add(one, neg(other))[0] < 0n;
 const floor = ([a, b]) => q((a - (((a % b) + b) % b)) / b);
 const divisor = (a, b) => (b === 0n ? (a < 0n ? -a : a) : divisor(b, a % b));
 export const reduced = ([a, b]) => [a / divisor(a, b), b / divisor(a, b)];
@@ -80,7 +80,7 @@ const axisOf = (text) => 'xyz'.indexOf(/about (?:the )?([xyz])/.exec(text)[1]);
 
 // ---- the exercises ---------------------------------------------------------------------------------------------------------
 // id: (text, labels) => { answers: [...], wrongs: [[part, value, pattern], ...] }. A value is a number, an array of them or a
-// word; null where it does not exist.
+// word; null where it does not exist. within: [[value, low, high], ...], what must lie between two numbers for the text to be true.
 
 const ball = (text) => {
     const tangent = tangentOf(text), [w, h] = sizeOf(text), [z] = after(text, /z_c = -/), [radius] = after(text, /radius /);
@@ -88,7 +88,7 @@ const ball = (text) => {
     const wide = over(mul(height, w), h), limit = add(over(wide, 2), neg(radius)), full = doubled(tangent);
     return {
         answers: [height, wide, limit],
-        wrongs: [[0, neg(height), /z_c is negative/], [0, over(height, 2), /half of the height/], [0, mul(full, 2, z), /whole angle/], [1, over(mul(height, h), w), /upside down/],
+        wrongs: [[0, neg(height), /z_c is negative/], [0, over(height, 2), /half of the height/], [0, full && mul(full, 2, z), /whole angle/], [0, full ? null : mul(45, 2, z), /degrees/], [0, full ? null : mul(90, 2, z), /degrees/], [1, over(mul(height, h), w), /upside down/],
             [1, height, /is the height/], [2, over(wide, 2), /radius/], [2, add(wide, neg(radius)), /half of the width/], [2, add(over(wide, 2), radius), /outside/]],
     };
 };
@@ -127,6 +127,7 @@ const depth = (text, labels) => {
     const right = divided(on(frustum(-1, 1, -1, 1, n, f), [0, 0, z, 1]))[2], nought = over(neg(b), a);
     return {
         answers: [a, b, right, nought],
+        within: [[right, -1, 1]],
         wrongs: [[0, neg(a), /sign/], [0, over(1, a), /upside down/], [1, neg(b), /sign/], [1, over(b, 2), /factor of 2/], [2, add(a, over(b, neg(z))), /negative/],
             [2, add(-1, over(mul(2, add(neg(z), neg(n))), add(f, neg(n)))), /curved/], [2, over(add(right, 1), 2), /0 to 1/], [3, neg(nought), /negative z/], [3, over(add(n, f), -2), /middle/]],
     };
@@ -138,7 +139,7 @@ const lens = (text, labels) => {
     return {
         answers: [matrix.flat(), ndc],
         wrongs: [[0, transposed(matrix).flat(), /transposed/], [0, other({ 3: [0, 0, 1, 0] }), /w would be z/], [0, other({ 2: flip(matrix[2], 0, 1, 2, 3) }), /third row/],
-            [0, other({ 0: [matrix[1][1], 0, 0, 0], 1: [0, matrix[0][0], 0, 0] }), /wrong row/], [0, full && perspective(full, aspect, n, f).flat(), /whole angle/],
+            [0, other({ 0: [matrix[1][1], 0, 0, 0], 1: [0, matrix[0][0], 0, 0] }), /wrong row/], [0, full && perspective(full, aspect, n, f).flat(), /whole angle/], [0, full ? null : perspective(q(45), aspect, n, f).flat(), /degrees/],
             [0, other({ 2: [0, 0, over(f, add(n, neg(f))), over(mul(n, f), add(n, neg(f)))] }), /0 to 1/], [1, clip.slice(0, 3), /division/], [1, ndc.map(neg), /divided by z/], [1, flip(ndc, 2), /other sign/]],
     };
 };
@@ -150,6 +151,7 @@ const pixel = (text) => {
     const clip = on(perspective(tangent, over(...size), q(1), q(100)), [...view, 1]), ndc = divided(clip), [x, y] = pixelOf(ndc, size), [badX, badY] = pixelOf(clip, size), half = q('1/2');
     return {
         answers: [x, y, [floor(x), floor(y)]],
+        within: [[x, 0, size[0]], [y, 0, size[1]]],
         wrongs: [[0, ndc[0], /viewport/], [0, add(x, neg(over(size[0], 2))), /middle/], [0, badX, /division by w/], [0, pixelOf([mul(ndc[0], over(...size)), 0], size)[0], /aspect/], [0, pixelOf(flip(ndc, 0), size)[0], /swapped/],
             [0, add(x, neg(half)), /half pixel/], [1, pixelOf(flip(ndc, 1), size)[1], /downwards/], [1, badY, /division by w/], [1, add(y, neg(over(size[1], 2))), /middle/], [1, add(y, neg(half)), /half pixel/],
             [2, [floor(add(x, half)), floor(add(y, half))], /whole part/]],
@@ -163,6 +165,7 @@ const hidden = (text) => {
     const w = over(add(bx, neg(ax)), add(slope(bpx, 0), neg(dx))), x = add(ax, neg(mul(dx, w))), y = add(ay, neg(mul(dy, w)));
     return {
         answers: [x, y, add(az, w)],
+        within: [[apx, 0, size[0]], [bpx, 0, size[0]], [apy, 0, size[1]]],
         wrongs: [[0, add(ax, mul(dx, w)), /other way/], [1, add(ay, mul(dy, w)), /downwards/], [2, add(az, neg(w)), /-z/], [2, w, /distance to A/], [2, add(az, mul(w, over(...size))), /aspect/], [2, add(az, w, w), /2 over/]],
     };
 };
@@ -195,10 +198,10 @@ const clipping = (text) => {
         const b = polygon[(i + 1) % polygon.length], [da, db] = [plane(a), plane(b)], inA = da[0] >= 0n, inB = db[0] >= 0n;
         return [...(inA ? [a] : []), ...(inA !== inB ? [between(a, b, over(da, add(da, neg(db))))] : [])];
     }), corners);
-    const [a, , c] = corners, [da, dc] = [a, c].map(planes[0]), share = over(da, add(da, neg(dc))), corner = between(a, c, share);
+    const [a, , c] = corners, at = planes.findIndex((plane) => plane(c)[0] < 0n), [da, dc] = [a, c].map(planes[at]), share = over(da, add(da, neg(dc))), corner = between(a, c, share);
     return {
         answers: [q(left.length), corner],
-        wrongs: [[0, q(7 - left.length), /edge that crosses/], [0, q(5), /two edges/], [1, between(c, a, share), /other end/], [1, between(a, c, q('1/2')), /middle/], [1, [c[3], c[1], c[2], c[3]], /another direction/],
+        wrongs: [[0, q(7 - left.length), /edge that crosses/], [0, q(5), /two edges/], [1, between(c, a, share), /other end/], [1, between(a, c, q('1/2')), /middle/], [1, c.map((value, i) => (i === at >> 1 ? mul(at % 2 === 0 ? 1 : -1, c[3]) : value)), /another direction/],
             [1, corner.map((value) => over(value, corner[3])), /before the division/]],
     };
 };
@@ -227,6 +230,7 @@ const notes = (text) => {
     const ndc = divided(on(gl, [x, y, neg(z), 1])), depth01 = over(add(1, ndc[2]), 2), p = over(f, add(f, neg(n))), qq = neg(mul(p, n)), [px, py] = pixelOf(ndc, size);
     return {
         answers: [tangent, over(mul(y, focal), z), [p, qq], depth01, [px, py]],
+        within: [[px, 0, size[0]], [py, 0, size[1]], [depth01, 0, 1]],
         wrongs: [[0, mul(2, tangent), /halved/], [0, over(1, tangent), /upside down/], [1, over(y, z), /focal length/], [2, [p, neg(qq)], /minus sign/], [2, [neg(gl[2][2]), gl[2][3]], /-1 to 1/], [2, [qq, p], /swapped/],
             [3, over(add(z, neg(n)), add(f, neg(n))), /curved/], [3, ndc[2], /-1 to 1/], [4, [px, add(size[1], neg(py))], /downwards/], [4, [pixelOf([mul(ndc[0], over(...size)), 0], size)[0], py], /aspect/]],
     };

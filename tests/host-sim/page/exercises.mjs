@@ -3,7 +3,7 @@
 // state are compared with those that exercise_answers.mjs works out from their texts; right answers are typed in several
 // spellings, and to each typical wrong answer its own sentence must be said, in at least one instance.
 import { exercises } from '../../../host-sim/page/lesson/lesson_exercises.mjs';
-import { answersOf, equal, generator, q, reduced } from './exercise_answers.mjs';
+import { answersOf, equal, generator, less, q, reduced } from './exercise_answers.mjs';
 
 const instances = +process.argv[2];
 const wrong = [];
@@ -63,6 +63,10 @@ function tryPart(id, instance, i, must, named) {
         if (told.ok !== itself) {
             fault(id, `${label}: ${text} is taken for ${told.ok ? 'right' : 'wrong'} in: ${instance.text}`);
         }
+        const shared = must.wrongs.some(([otherPart, other], k) => k !== at && otherPart === i && other !== null && textOf(other) === text);
+        if (!told.ok && !shared && !pattern.test(told.say)) {
+            fault(id, `${label}: to ${text} it says '${told.say}', nothing of ${pattern}, in: ${instance.text}`);
+        }
         named[at] = (named[at] ?? 0) + (!told.ok && pattern.test(told.say) && told.say !== unrelated.say ? 1 : 0);
     });
     if (word) {
@@ -89,6 +93,11 @@ function tryExercise({ id, title, source, make }) {
         if (instance.parts.length !== must.answers.length || instance.check([]).length !== instance.parts.length) {
             fault(id, `${instance.parts.length} parts, not ${must.answers.length}`);
             continue;
+        }
+        for (const [value, low, high] of must.within ?? []) {
+            if (!less(q(low), value) || !less(value, q(high))) {
+                fault(id, `${textOf(value)} is not between ${low} and ${high}, in: ${instance.text}`);
+            }
         }
         instance.parts.forEach((part, i) => tryPart(id, instance, i, must, named));
         const thirds = instance.parts.findIndex((part) => /^-?\d+\/(3|7|9|11)$/.test(part.answer));
