@@ -49,7 +49,7 @@ function sayOfNumbers(part, numbers, text) {
     if (right.every((value, i) => value.size().equals(numbers[i].size()))) {
         return right.length === 1 ? 'The size is right. The sign is not.' : `The sizes are right. Look at the sign of ${nameOf(part, off)}.`;
     }
-    return right.length === 1 ? `Not yet. ${part.hint}` : `Not yet. ${part.hint} Look at ${nameOf(part, off)} first.`;
+    return right.length === 1 || part.same !== sameAnswer ? `Not yet. ${part.hint}` : `Not yet. ${part.hint} Look at ${nameOf(part, off)} first.`;
 }
 
 function judgeWord(part, text) {
@@ -84,13 +84,15 @@ function judgePart(part, text) {
 // The address of the tab Lesson with options of pinhole-sim, [[name, value], ...]. No options: ''.
 export const lessonAddress = (options) => (options.length === 0 ? '' : `#tab=lesson&${options.map(([name, value]) => `${name}=${encodeURIComponent(value)}`).join('&')}`);
 
-// Makes an instance; options are those of pinhole-sim that show its numbers. A part is { label, right, hint, wrongs: [[value, say], ...] }: right and values are a Fraction or a whole
-// number, an array of them, or an array of rows; or a word. A value that is right all the same, that came before or that is null is left out.
-// same(numbers, others): when two answers are one; equal numbers if it is not given. judge(numbers) returns { ok, say } where
-// an answer is not the only one; wrongs are then those that it is to name.
+// Makes an instance; options are those of pinhole-sim that show its numbers. A part is { label, right, hint, wrongs }, with
+// wrongs [[value, say], ...]. `right` and a value are a Fraction or a whole number, an array of them, an array of rows, or a
+// word. A value is left out if it is null, if it is right all the same, or if it came before. Optional: same(numbers,
+// others) tells when two answers count as one, without it when all numbers are equal; judge(numbers) returns { ok, say } for
+// a part that has many right answers, and wrongs are then those that it is to name.
 export function exerciseOf({ text, parts, options }) {
     const made = parts.map(({ label, right, hint, wrongs, same = sameAnswer, judge }) => {
-        const isWord = typeof right === 'string', part = { label, answer: isWord ? right : answerText(right), wrongs: [], right, numbers: isWord ? [] : flatAnswer(right), hint, same, judge };
+        const isWord = typeof right === 'string';
+        const part = { label, answer: isWord ? right : answerText(right), wrongs: [], right, numbers: isWord ? [] : flatAnswer(right), hint, same, judge };
         for (const [value, say] of wrongs) {
             const numbers = isWord || value === null ? [] : flatAnswer(value);
             if (value !== null && (isWord || !same(numbers, part.numbers)) && !part.wrongs.some((item) => (isWord ? item.answer === value : same(item.numbers, numbers)))) {

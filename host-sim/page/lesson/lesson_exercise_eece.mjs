@@ -59,8 +59,10 @@ function makeOrder(random) {
 }
 
 function makeSense(random) {
-    const axis = wholeFrom(random, 0, 2), [sine, cosine] = fractionsOf(oneFrom(random, pythagorean)), turn = rotationAbout(axis, sine, cosine), back = rotationAbout(axis, sine.negative(), cosine);
-    const vector = smallPlace(random).map((value) => 5 * value), eye = smallPlace(random), away = smallPlace(random).map((value) => 5 * value), point = added(eye, away).map((value) => Number(value.over));
+    const axis = wholeFrom(random, 0, 2), [sine, cosine] = fractionsOf(oneFrom(random, pythagorean));
+    const turn = rotationAbout(axis, sine, cosine), back = rotationAbout(axis, sine.negative(), cosine);
+    const vector = smallPlace(random).map((value) => 5 * value), eye = smallPlace(random);
+    const away = smallPlace(random).map((value) => 5 * value), point = added(eye, away).map((value) => Number(value.over));
     return exerciseOf({
         text: `R turns about the ${axisNames[axis]} axis by an angle with sine ${sine} and cosine ${cosine}. Its sense is the right-hand rule's: the thumb along the axis, the fingers turn. With a sine above 0, about y, it takes +z towards +x.`,
         parts: [
@@ -85,9 +87,11 @@ function makeSense(random) {
 }
 
 function makeMistakes(random) {
-    const low = () => -wholeFrom(random, 1, 4), [left, bottom] = [low(), low()], right = -left + wholeFrom(random, 1, 4), top = -bottom + wholeFrom(random, 1, 4);
+    const low = () => -wholeFrom(random, 1, 4), [left, bottom] = [low(), low()], right = -left + wholeFrom(random, 1, 4);
+    const top = -bottom + wholeFrom(random, 1, 4);
     const near = wholeFrom(random, 1, 4), far = near * wholeFrom(random, 2, 5);
-    const over = (sum, width) => fractionOf(sum).by(width), column = [over(-right - left, right - left), over(-top - bottom, top - bottom), over(-far - near, far - near)];
+    const over = (sum, width) => fractionOf(sum).by(width);
+    const column = [over(-right - left, right - left), over(-top - bottom, top - bottom), over(-far - near, far - near)];
     const slide = [[over(2, right - left), 0, 0, column[0].negative()], [0, over(2, top - bottom), 0, column[1].negative()], [0, 0, over(-2, far - near), column[2].negative()], [0, 0, 0, 1]];
     const times = fractionOf(far).by(near), corner = [times.times(right), times.times(top), fractionOf(-far)];
     const clip = [over(2 * near * right - (right + left) * far, right - left), over(2 * near * top - (top + bottom) * far, top - bottom), fractionOf(far), fractionOf(far)];
@@ -128,8 +132,10 @@ function makeMistakes(random) {
 }
 
 function makeChain(random) {
-    const scale = oneFrom(random, [2, 3]), sign = oneFrom(random, [1, -1]), turn = rotationAbout(1, sign, 0), undo = rotationAbout(1, -sign, 0), shift = smallPlace(random), point = smallPlace(random);
-    const sized = point.map((value) => value * scale), world = added(matrixOn(turn, sized), shift), around = oneFrom(random, [1, -1]), camera = rotationAbout(1, around, 0), back = rotationAbout(1, -around, 0);
+    const scale = oneFrom(random, [2, 3]), sign = oneFrom(random, [1, -1]), turn = rotationAbout(1, sign, 0);
+    const undo = rotationAbout(1, -sign, 0), shift = smallPlace(random), point = smallPlace(random);
+    const sized = point.map((value) => value * scale), world = added(matrixOn(turn, sized), shift), around = oneFrom(random, [1, -1]);
+    const camera = rotationAbout(1, around, 0), back = rotationAbout(1, -around, 0);
     const seen = [signedFrom(random, 5), signedFrom(random, 5), -wholeFrom(random, 6, 12)], eye = subtracted(world, matrixOn(camera, seen)), w = -seen[2];
     const model = matrixTimes([[1, 0, 0, shift[0]], [0, 1, 0, shift[1]], [0, 0, 1, shift[2]], [0, 0, 0, 1]], [...turn.map((row) => [...row.map((value) => value.times(scale)), 0]), [0, 0, 0, 1]]);
     return exerciseOf({

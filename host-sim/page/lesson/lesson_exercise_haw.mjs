@@ -11,7 +11,8 @@ export const pythagorean = [['3/5', '4/5'], ['4/5', '3/5'], ['-3/5', '4/5'], ['-
 function makeBall(random) {
     const tangent = fractionOf(oneFrom(random, lensTangents)), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]);
     const aspect = fractionOf(size[0]).by(size[1]), distance = wholeFrom(random, 8, 24), radius = fractionOf(oneFrom(random, ['1/4', '1/2', '3/4']));
-    const height = tangent.times(2 * distance), width = height.times(aspect), limit = width.by(2).minus(radius), full = fullTangent(tangent), degrees = degreesTangent(tangent);
+    const height = tangent.times(2 * distance), width = height.times(aspect), limit = width.by(2).minus(radius), full = fullTangent(tangent);
+    const degrees = degreesTangent(tangent);
     return exerciseOf({
         text: `A ball with the radius ${radius} bounces inside the view frustum. The camera has ${lensWords(tangent)}, and the picture is ${size[0]} pixels wide and ${size[1]} high. The ball is at z_c = -${distance} in camera space.`,
         parts: [
@@ -47,7 +48,8 @@ function makeBall(random) {
 
 function makeLookAt(random) {
     const [sine, cosine] = fractionsOf(oneFrom(random, [[1, 0], [-1, 0], [0, -1], ...pythagorean])), whole = sine.under === 1n;
-    const target = [wholeFrom(random, -3, 3), wholeFrom(random, -3, 3), wholeFrom(random, -3, 3)], away = whole ? wholeFrom(random, 2, 9) : 5 * wholeFrom(random, 1, 3);
+    const target = [wholeFrom(random, -3, 3), wholeFrom(random, -3, 3), wholeFrom(random, -3, 3)];
+    const away = whole ? wholeFrom(random, 2, 9) : 5 * wholeFrom(random, 1, 3);
     const eye = [sine.times(away).plus(target[0]), fractionOf(target[1]), cosine.times(away).plus(target[2])];
     const matrixOf = (s, c, at) => [[c, 0, s, at[0]], [0, 1, 0, at[1]], [s.negative(), 0, c, at[2]], [0, 0, 0, 1]].map(fractionsOf);
     const right = matrixOf(sine, cosine, eye);
@@ -94,7 +96,8 @@ function sameButForFactor(numbers, others) {
 }
 
 function makePlane(random) {
-    const a = wholeFrom(random, 1, 5), b = wholeFrom(random, 1, 5), share = fractionOf(oneFrom(random, ['1/2', '1/3', '2/3', '2', '-1'])), factor = fractionOf(oneFrom(random, ['2', '3', '4', '1/2', '-2']));
+    const a = wholeFrom(random, 1, 5), b = wholeFrom(random, 1, 5), share = fractionOf(oneFrom(random, ['1/2', '1/3', '2/3', '2', '-1']));
+    const factor = fractionOf(oneFrom(random, ['2', '3', '4', '1/2', '-2']));
     const onLine = [share.times(a), share.minus(1).times(b)], point = onLine.map((value) => value.times(factor)), far = signedFrom(random, 4);
     const bottom = [fractionOf(1).by(a), fractionOf(-1).by(b), fractionOf(0)], right = [[1, 0, 0], [0, 1, 0], bottom], norm = 1 / Math.hypot(1 / a, 1 / b);
     return exerciseOf({
@@ -129,7 +132,8 @@ function makePlane(random) {
 
 function makeDepth(random) {
     const near = wholeFrom(random, 1, 4), far = near * wholeFrom(random, 3, 9), z = wholeFrom(random, near + 1, far - 1), range = fractionOf(far - near);
-    const a = fractionOf(far + near).by(range), b = fractionOf(2 * near * far).by(range), right = a.minus(b.by(z)), nought = fractionOf(-2 * near * far).by(far + near);
+    const a = fractionOf(far + near).by(range), b = fractionOf(2 * near * far).by(range), right = a.minus(b.by(z));
+    const nought = fractionOf(-2 * near * far).by(far + near);
     return exerciseOf({
         text: `g(z) = a + b/z maps the depth z of camera space, which is negative, to normalised device coordinates: g(-${near}) = -1 at the near plane, and g(-${far}) = 1 at the far plane.`,
         parts: [
@@ -165,9 +169,12 @@ function makeDepth(random) {
 }
 
 function makeMatrix(random) {
-    const tangent = fractionOf(oneFrom(random, lensTangents)), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]), aspect = fractionOf(size[0]).by(size[1]);
-    const near = wholeFrom(random, 1, 4), far = near * wholeFrom(random, 2, 6), right = lensMatrix(tangent, aspect, near, far), full = fullTangent(tangent), degrees = degreesTangent(tangent);
-    const z = wholeFrom(random, near + 1, far + 3), point = [signedFrom(random, 5), signedFrom(random, 5), -z], clip = matrixOn(right, [...point, 1]), ndc = clip.slice(0, 3).map((value) => value.by(z));
+    const tangent = fractionOf(oneFrom(random, lensTangents)), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]);
+    const aspect = fractionOf(size[0]).by(size[1]);
+    const near = wholeFrom(random, 1, 4), far = near * wholeFrom(random, 2, 6), right = lensMatrix(tangent, aspect, near, far);
+    const full = fullTangent(tangent), degrees = degreesTangent(tangent);
+    const z = wholeFrom(random, near + 1, far), point = [signedFrom(random, 5), signedFrom(random, 5), -z];
+    const clip = matrixOn(right, [...point, 1]), ndc = clip.slice(0, 3).map((value) => value.by(z));
     const changed = (...cells) => right.map((row, i) => row.map((value, j) => cells.find((cell) => cell[0] === i && cell[1] === j)?.[2] ?? value));
     return exerciseOf({
         text: `PerspectiveCamera(${tangent.equals(1) ? '90' : `2 atan(${tangent})`}, ${aspect}, ${near}, ${far})\nThe first number is the vertical field of view, then come aspect, near and far.`,

@@ -5,10 +5,13 @@ import { lensSizes, pythagorean, sizeOption } from './lesson_exercise_haw.mjs';
 
 // A camera whose direction of view lies in the plane of y and z, so that the given up vector has to be adjusted.
 function makeFactors(random) {
-    const [sine, cosine] = fractionsOf(oneFrom(random, pythagorean)), side = cosine.over < 0n ? -1 : 1, target = [wholeFrom(random, -3, 3), wholeFrom(random, -3, 3), wholeFrom(random, -3, 3)];
+    const [sine, cosine] = fractionsOf(oneFrom(random, pythagorean)), side = cosine.over < 0n ? -1 : 1;
+    const target = [wholeFrom(random, -3, 3), wholeFrom(random, -3, 3), wholeFrom(random, -3, 3)];
     const away = 5 * wholeFrom(random, 1, 3), eye = [fractionOf(target[0]), sine.times(away).plus(target[1]), cosine.times(away).plus(target[2])];
-    const up = [0, cosine.size(), sine.times(-side)], rows = [[side, 0, 0], up, [0, sine, cosine]].map(fractionsOf), column = matrixOn(rows, eye).map((value) => value.negative());
-    const flipped = [rows[0], rows[1], rows[2].map((value) => value.negative())], turned = matrixOn(matrixTranspose(rows), eye).map((value) => value.negative());
+    const up = [0, cosine.size(), sine.times(-side)], rows = [[side, 0, 0], up, [0, sine, cosine]].map(fractionsOf);
+    const column = matrixOn(rows, eye).map((value) => value.negative());
+    const flipped = [rows[0], rows[1], rows[2].map((value) => value.negative())];
+    const turned = matrixOn(matrixTranspose(rows), eye).map((value) => value.negative());
     return exerciseOf({
         text: `The eye is at ${placeWords(eye)}, the look-at point at ${placeWords(target)}, and the up vector is (0, 1, 0).\nl is the direction of view, r = l x up, u = r x l, each of length 1. V = R T: R turns, T translates by -eye.`,
         parts: [
@@ -40,7 +43,8 @@ function makeFactors(random) {
 }
 
 function makeFlatten(random) {
-    const d = oneFrom(random, [2, 3, 4]), z = d * wholeFrom(random, 2, 5), step = wholeFrom(random, 1, 3), [x, y] = [signedFrom(random, 9), signedFrom(random, 9)], by = (value, under) => fractionOf(value).by(under);
+    const d = oneFrom(random, [2, 3, 4]), z = d * wholeFrom(random, 2, 5), step = wholeFrom(random, 1, 3);
+    const [x, y] = [signedFrom(random, 9), signedFrom(random, 9)], by = (value, under) => fractionOf(value).by(under);
     const near = fractionOf(z).by(d), seen = [by(x, near), by(y, near), fractionOf(d)], back = by(y * d, z + step);
     return exerciseOf({
         text: `The point is ${placeWords([x, y, z])} in camera space, and the camera looks along +z. KAIST 4.7 drops z in parallel, KAIST 4.11 makes w = z, EECE's pinhole has the focal length d = ${d} and w = z/d.`,
@@ -87,10 +91,13 @@ function makeFlatten(random) {
 }
 
 function makeNotes(random) {
-    const [width, height] = oneFrom(random, lensSizes), aspect = fractionOf(width).by(height), screen = oneFrom(random, [2, 4]), focal = fractionOf(oneFrom(random, [screen / 2, screen])), tangent = fractionOf(screen).by(2).by(focal);
+    const [width, height] = oneFrom(random, lensSizes), aspect = fractionOf(width).by(height), screen = oneFrom(random, [2, 4]);
+    const focal = fractionOf(oneFrom(random, [screen / 2, screen])), tangent = fractionOf(screen).by(2).by(focal);
     const near = wholeFrom(random, 2, 4), far = near * wholeFrom(random, 4, 8), range = far - near, z = wholeFrom(random, 5, far - 1), reach = tangent.times(z);
     const x = signedFrom(random, insideOf(reach.times(aspect))), y = signedFrom(random, insideOf(reach));
-    const ndc = [fractionOf(x).by(tangent).by(aspect).by(z), fractionOf(y).by(tangent).by(z)], pixel = [ndc[0].plus(1).times(width).by(2), fractionOf(1).minus(ndc[1]).times(height).by(2)], p = fractionOf(far).by(range), q = fractionOf(-far * near).by(range), depth = q.by(z).plus(p);
+    const ndc = [fractionOf(x).by(tangent).by(aspect).by(z), fractionOf(y).by(tangent).by(z)];
+    const pixel = [ndc[0].plus(1).times(width).by(2), fractionOf(1).minus(ndc[1]).times(height).by(2)], p = fractionOf(far).by(range);
+    const q = fractionOf(-far * near).by(range), depth = q.by(z).plus(p);
     return exerciseOf({
         text: `A camera as the notes have it looks along +z. Its screen is ${screen} high, at the focal length ${focal}. Near is ${near}, far ${far}. The picture is ${width} pixels wide and ${height} high. The point is ${placeWords([x, y, z])} in camera space.`,
         parts: [

@@ -4,8 +4,10 @@ import { exerciseOf, fullTangent, lensOptions, lensWords, oneFrom, optionPlace, 
 import { sizeOption } from './lesson_exercise_haw.mjs';
 
 function makeHalf(random) {
-    const tangent = fractionOf(oneFrom(random, ['1/4', '1/2', '1', '1/8'])), distance = 2 * wholeFrom(random, 2, 8), behind = wholeFrom(random, 1, 9), height = wholeFrom(random, 1, 3);
-    const near = tangent.times(2), focal = fractionOf(1).by(tangent), after = focal.by(2).times(height).by(distance / 2 + behind), before = focal.times(height).by(distance + behind);
+    const tangent = fractionOf(oneFrom(random, ['1/4', '1/2', '1', '1/8'])), distance = 2 * wholeFrom(random, 2, 8);
+    const behind = wholeFrom(random, 1, 9), height = wholeFrom(random, 1, 3);
+    const near = tangent.times(2), focal = fractionOf(1).by(tangent), after = focal.by(2).times(height).by(distance / 2 + behind);
+    const before = focal.times(height).by(distance + behind);
     return exerciseOf({
         text: `A subject is at the distance ${distance}. The camera has ${lensWords(tangent)}: as a pinhole camera with an image 2 high, its focal length is ${focal}. It goes to half of the distance, and the subject is to keep its size in the picture.`,
         parts: [
@@ -39,7 +41,8 @@ function makeHalf(random) {
 
 function makeSquare(random) {
     const size = oneFrom(random, [[240, 120], [120, 240], [480, 120]]), [width, height] = size, aspect = fractionOf(width).by(height);
-    const high = wholeFrom(random, 1, 4), wide = high + oneFrom(random, [1, 2, 3]), distance = oneFrom(random, [2, 4, 8]), tangent = fractionOf(high).by(2 * distance), share = fractionOf(wide).by(aspect.times(high));
+    const high = wholeFrom(random, 1, 4), wide = high + oneFrom(random, [1, 2, 3]), distance = oneFrom(random, [2, 4, 8]);
+    const tangent = fractionOf(high).by(2 * distance), share = fractionOf(wide).by(aspect.times(high));
     return exerciseOf({
         text: `A subject is ${wide} wide and ${high} high, at the distance ${distance}. The picture is ${width} pixels wide and ${height} high. The lens is chosen so that the subject's height fills the picture's.`,
         parts: [
@@ -71,9 +74,12 @@ function makeSquare(random) {
 }
 
 function makeLmuMistakes(random) {
-    const tangent = fractionOf(oneFrom(random, ['1/2', '1', '2'])), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]), aspect = fractionOf(size[0]).by(size[1]);
-    const near = -wholeFrom(random, 1, 3), far = near * wholeFrom(random, 8, 12), z = -wholeFrom(random, 1 - near, 1 - far), point = [oneFrom(random, [1, -1]) * wholeFrom(random, 2, 9), oneFrom(random, [1, -1]) * wholeFrom(random, 2, 9), z];
-    const row = fractionOf(-1).by(tangent).by(aspect), clip = row.times(point[0]), x = clip.by(z), y = fractionOf(-point[1]).by(tangent).by(z), outside = clip.size().compare(-z) > 0;
+    const tangent = fractionOf(oneFrom(random, ['1/2', '1', '2'])), size = oneFrom(random, [[200, 100], [100, 200], [400, 100]]);
+    const aspect = fractionOf(size[0]).by(size[1]);
+    const near = -wholeFrom(random, 1, 3), far = near * wholeFrom(random, 8, 12), z = -wholeFrom(random, 1 - near, 1 - far);
+    const point = [oneFrom(random, [1, -1]) * wholeFrom(random, 2, 9), oneFrom(random, [1, -1]) * wholeFrom(random, 2, 9), z];
+    const row = fractionOf(-1).by(tangent).by(aspect), clip = row.times(point[0]), x = clip.by(z);
+    const y = fractionOf(-point[1]).by(tangent).by(z), outside = clip.size().compare(-z) > 0;
     return exerciseOf({
         text: `LMU's T_persp, with n = ${near} and f = ${far} as coordinates, ${lensWords(tangent)}, and lambda (the aspect ratio) = ${aspect}:\n\nx' = -x/(lambda t), y' = -y/t, w = z, with t the tangent of half of the angle.\n\nThe slides of the Hitchcock zoom print its product with (x, y, z, 1) as -1/(lambda t), -1/t, ..., z. The point is ${placeWords(point)}.`,
         parts: [

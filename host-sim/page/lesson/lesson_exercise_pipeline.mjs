@@ -46,9 +46,11 @@ function makePixel(random) {
 }
 
 function makeHidden(random) {
-    const tangent = fractionOf(oneFrom(random, ['1/2', '1', '2'])), size = oneFrom(random, lensSizes), [width, height] = size, aspect = fractionOf(width).by(height);
+    const tangent = fractionOf(oneFrom(random, ['1/2', '1', '2'])), size = oneFrom(random, lensSizes), [width, height] = size;
+    const aspect = fractionOf(width).by(height);
     const depth = wholeFrom(random, 8, 16), a = [wholeFrom(random, -4, 4), wholeFrom(random, -4, 4), wholeFrom(random, -4, 4)], reach = tangent.times(depth);
-    const most = insideOf(reach.times(aspect)), left = wholeFrom(random, 1, most), side = oneFrom(random, [1, -1]), apart = side * wholeFrom(random, 1, most + left);
+    const most = insideOf(reach.times(aspect)), left = wholeFrom(random, 1, most), side = oneFrom(random, [1, -1]);
+    const apart = side * wholeFrom(random, 1, most + left);
     const eye = [a[0] + side * left, a[1] + signedFrom(random, insideOf(reach)), a[2] + depth];
     const seen = (x, y) => [
         fractionOf(x - eye[0]).by(tangent).by(aspect).by(depth).plus(1).times(width).by(2),
@@ -159,7 +161,8 @@ function makeClip(random) {
     };
     const da = wholeFrom(random, 1, 4), dc = -1 - ((da + wholeFrom(random, 0, 2)) % 4), twoInside = random() < 0.5; // not as far outside as inside
     const a = corner(da), b = corner(wholeFrom(random, 1, 4) * (twoInside ? 1 : -1)), c = corner(dc);
-    const along = (from, to, share) => from.map((value, i) => share.times(to[i] - value).plus(value)), share = fractionOf(da).by(da - dc), right = along(a, c, share);
+    const along = (from, to, share) => from.map((value, i) => share.times(to[i] - value).plus(value)), share = fractionOf(da).by(da - dc);
+    const right = along(a, c, share);
     return exerciseOf({
         text: `A triangle has these corners in clip space, before the division: x, y, z, w.\n\nA = ${placeWords(a)}\nB = ${placeWords(b)}\nC = ${placeWords(c)}\n\nIt is clipped against all six planes: -w <= x <= w, and so for y and z.`,
         parts: [

@@ -59,7 +59,8 @@ function tryPart(id, instance, i, must, named) {
         if (part !== i || value === null) {
             return;
         }
-        const text = textOf(value), told = say(instance, i, text), itself = word ? text === answer : id === 'haw-4' && i === 0 ? false : sameList(listOf(value), readAnswer(answer));
+        const text = textOf(value), told = say(instance, i, text);
+        const itself = word ? text === answer : id === 'haw-4' && i === 0 ? false : sameList(listOf(value), readAnswer(answer));
         if (told.ok !== itself) {
             fault(id, `${label}: ${text} is taken for ${told.ok ? 'right' : 'wrong'} in: ${instance.text}`);
         }
