@@ -24,7 +24,7 @@ stand_in_one_script() {
 
 check "fractions: what is read, sums, products, inverses" node $page/fraction.mjs
 check "20 exercises: right answers in any spelling, and typical wrong ones" node $page/exercises.mjs "$(of 8 1000)"
-check "... and pinhole-sim has the same numbers" node $page/exercises_sim.mjs "$B/pinhole-sim" "$(of 1 8)" "$(of 5 1)"
+check "... and pinhole-sim has the same numbers" node $page/exercises_sim.mjs "$B/pinhole-sim" "$(of 1 8)" "$(of 10 1)"
 check "55 chapters with addresses that pinhole-sim takes" node $page/chapters.mjs "$B/pinhole-sim" "$(of 28 1)"
 check "their scripts stand in one, beside those of the page" stand_in_one_script
 check "no script of them has 300 lines" [ -z "$(wc -l "${lesson[@]}" | awk '$1 >= 300 && $2 != "total"')" ]
