@@ -1,7 +1,7 @@
 // Usage: node chapters.mjs PINHOLE-SIM STEP
 // The chapters of the page's lesson: as many of each document as tests/host-sim/lesson.txt has things of it, each with words
-// and an address of pinhole-sim's options, and each in the table for teachers in host-sim/README.md. Every STEPth address is given to pinhole-sim, and must run.
-import { execFileSync } from 'node:child_process';
+// and an address of pinhole-sim's options, and each in the table for teachers in host-sim/README.md. Every STEPth address is given to pinhole-sim, and must run without a complaint.
+import { execFileSync, spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { chapters } from '../../../host-sim/page/lesson/lesson_chapters.mjs';
 
@@ -26,11 +26,10 @@ chapters.forEach(({ document, slide, title, text, address }, i) => {
         wrong.push(`${name}: ${text}`);
     }
     if (i % step === 0) {
-        try {
-            const list = words.slice(1).map(([option, value]) => `--${option}=${value}`);
-            execFileSync(simulator, [...(words.some(([option]) => option === 'demo') ? [] : ['--demo', 'cube']), ...list, '--crc'], { stdio: 'pipe' });
-        } catch (error) {
-            wrong.push(`${name}: ${error.stderr}`);
+        const list = words.slice(1).map(([option, value]) => `--${option}=${value}`);
+        const { status, stderr } = spawnSync(simulator, [...(words.some(([option]) => option === 'demo') ? [] : ['--demo', 'cube']), ...list, '--crc'], { encoding: 'utf8' });
+        if (status !== 0 || stderr !== '') {
+            wrong.push(`${name}: ${stderr || status}`);
         }
     }
 });
