@@ -34,6 +34,12 @@ struct demo_clock {
 /* The time so many microseconds later. */
 struct demo_clock demo_clock_after(struct demo_clock clock, uint32_t us);
 
+/* What is behind a model, and what lights it, as on the turntable: y is up, and z points to the viewer. */
+struct demo_studio {
+    uint16_t background, has_lamp; /* wire order; 0 or 1: one lamp far away, in place of the two that there are else */
+    struct fx_vec3 to_lamp_q30;    /* unit vector towards it, Q2.30 */
+};
+
 #define DEMO_CLIPS_BY_CLOCK UINT16_MAX /* in place of frames in a second */
 
 /* What a demo is told and keeps. A caller sets arena, width and height; all else is zero at first. */
@@ -54,6 +60,7 @@ struct demo_context {
     struct demo_clock clock; /* since the scene began */
     const char *clip;        /* the name of the clip that the select button has taken; NULL: none yet */
     uint32_t frame;          /* for band(), of a demo whose frame() sets it */
+    const struct demo_studio *studio; /* of a model, set before its init; NULL: two lamps, DEMO_MODEL_BACKGROUND */
 };
 
 /*

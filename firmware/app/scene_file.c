@@ -100,16 +100,23 @@ static int64_t product(const int32_t a[3], const int32_t b[3])
     return sum;
 }
 
+/* Whether a row of Q2.30 has length one, to 1/256. */
+static bool is_unit(const int32_t row[3])
+{
+    const int64_t off = product(row, row) - ((int64_t)1 << 32), near = (int64_t)1 << 24;
+    return off <= near && off >= -near;
+}
+
 /* Whether three rows of Q2.30 are a rotation: of length one, at right angles, to 1/256, and not mirrored. */
 static bool is_rotation(const int32_t r[3][3])
 {
-    const int64_t one = (int64_t)1 << 32, near = one >> 8;
+    const int64_t near = (int64_t)1 << 24;
     int32_t cross[3];
     bool right = true;
     for (uint32_t i = 0; i < 3; i++) {
-        const int64_t length = product(r[i], r[i]) - one, across = product(r[i], r[(i + 1) % 3]);
+        const int64_t across = product(r[i], r[(i + 1) % 3]);
         const uint32_t j = (i + 1) % 3, k = (i + 2) % 3;
-        right = right && length <= near && length >= -near && across <= near && across >= -near;
+        right = right && is_unit(r[i]) && across <= near && across >= -near;
         cross[i] = right ? (int32_t)(((int64_t)r[0][j] * r[1][k] - (int64_t)r[0][k] * r[1][j]) >> 31) : 0;
     }
     return right && product(cross, r[2]) > 0;
@@ -140,12 +147,25 @@ static bool is_name_right(const char name[SCENE_FILE_NAME])
     return n < SCENE_FILE_NAME && name[n] == '\0';
 }
 
+/* Whether a scene's studio is inside it, and its lamp's direction of length one. */
+static bool is_studio_right(const struct scene_file_head *head)
+{
+    if (!scene_file_inside(head, scene_file_studio(head), 1, sizeof(struct demo_studio))) {
+        return false;
+    }
+    const struct demo_studio *const s = scene_file_at(head, scene_file_studio(head));
+    const int32_t way[3] = {s->to_lamp_q30.x, s->to_lamp_q30.y, s->to_lamp_q30.z};
+    return s->has_lamp == 0 || (s->has_lamp == 1 && is_unit(way));
+}
+
 /* Checks the head alone. Returns NULL, or what is wrong. */
 static const char *head_wrong(const struct scene_file_head *head)
 {
-    return (head->flags & ~(uint32_t)(SCENE_FILE_CAMERA | SCENE_FILE_BARE)) != 0 ? "is broken: it has unknown flags"
-           : !is_name_right(head->name)                                          ? "is broken: its name is no text"
-           : head->mesh_count == 0                                               ? "has no mesh"
+    return (head->flags & ~(uint32_t)(SCENE_FILE_CAMERA | SCENE_FILE_BARE | SCENE_FILE_STUDIO)) != 0
+               ? "is broken: it has unknown flags"
+           : !is_name_right(head->name)                                       ? "is broken: its name is no text"
+           : head->mesh_count == 0                                            ? "has no mesh"
+           : (head->flags & SCENE_FILE_STUDIO) != 0 && !is_studio_right(head) ? "is broken: its lamp is none"
            : (head->flags & SCENE_FILE_CAMERA) != 0 && !is_camera_right(head)
                ? "is broken: it cannot be seen through its camera"
                : NULL;
@@ -309,6 +329,7 @@ static int init(struct demo_context *context)
     const struct animation *const animation = head->motion ? scene_motion_make(head, &context->arena) : NULL;
     const struct demo_eye eye = scene_file_eye(head);
     const bool is_still = (head->flags & SCENE_FILE_CAMERA) != 0;
+    context->studio = (head->flags & SCENE_FILE_STUDIO) != 0 ? scene_file_at(head, scene_file_studio(head)) : NULL;
     if (!meshes || (head->motion && !animation)) {
         return PH_ERR_NOMEM;
     }

@@ -13,6 +13,7 @@
  * - Normals of length 0 have ambient light only; those of another length than 16384 are darker or brighter.
  * - Texture coordinates outside of 0 .. 1 are taken as the texture's wrap says.
  * - With alpha 0 nothing of the mesh shows.
+ * - Of a studio without a lamp the direction says nothing.
  * - SCENE_FILE_MIPMAP without levels has its one level.
  * - A clip of 0 s stands at its beginning; keys behind the duration are never reached.
  * - A track without keys moves nothing; of two tracks for one property the later one counts.
@@ -32,7 +33,8 @@
 #define SCENE_FILE_MESHES  4096u /* at most */
 #define SCENE_FILE_NAME    40
 
-enum scene_file_flag { SCENE_FILE_CAMERA = 1, SCENE_FILE_BARE = 2 }; /* bare: without the platter of the turntable */
+/* BARE: without the platter of the turntable. STUDIO: a struct demo_studio stands behind the table of meshes. */
+enum scene_file_flag { SCENE_FILE_CAMERA = 1, SCENE_FILE_BARE = 2, SCENE_FILE_STUDIO = 4 };
 
 struct scene_file_head {
     uint32_t magic, version;
@@ -125,6 +127,12 @@ struct scene_file_moving {
 static inline const struct scene_file_mesh *scene_file_table(const struct scene_file_head *head)
 {
     return (const void *)((const uint8_t *)head + sizeof(*head));
+}
+
+/* The offset of its studio, where it has one. */
+static inline uint32_t scene_file_studio(const struct scene_file_head *head)
+{
+    return (uint32_t)(sizeof(*head) + head->mesh_count * sizeof(struct scene_file_mesh));
 }
 
 /* What is at an offset, which may be none that is in the scene until it was checked; 0: NULL. */

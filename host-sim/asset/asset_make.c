@@ -449,6 +449,7 @@ int asset_make(struct asset *asset, const struct model *model, const struct asse
     make_name(asset->name, limits->file_name);
     asset->model.has_camera = model->has_camera && !limits->is_on_turntable;
     asset->model.camera = model->camera;
+    asset->model.studio = model->studio;
     asset->is_bare = limits->is_bare && !asset->model.has_camera;
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         asset->vertices_read += model->meshes[m].vertex_count;

@@ -51,7 +51,8 @@ uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max)
 struct asset_sizes asset_sizes(const struct asset *asset)
 {
     const struct model *model = &asset->model;
-    struct asset_sizes s = {.tables = DEMO_BYTES + (model->has_camera ? EYE_BYTES : 0),
+    struct asset_sizes s = {.tables = DEMO_BYTES + (model->has_camera ? EYE_BYTES : 0) +
+                                      (model->studio != NULL ? sizeof(struct demo_studio) : 0),
                             .textures = asset_texture_bytes(asset, TEXTURE_LOG2_MAX),
                             .motion = asset_motion_bytes(model)};
     for (uint32_t m = 0; m < model->mesh_count; m++) {

@@ -186,7 +186,8 @@ static struct scene_file_head make_head(const struct asset *asset)
                                    .version = SCENE_FILE_VERSION,
                                    .mesh_count = model->mesh_count,
                                    .flags = (model->has_camera ? (uint32_t)SCENE_FILE_CAMERA : 0) |
-                                            (asset->is_bare ? (uint32_t)SCENE_FILE_BARE : 0),
+                                            (asset->is_bare ? (uint32_t)SCENE_FILE_BARE : 0) |
+                                            (model->studio != NULL ? (uint32_t)SCENE_FILE_STUDIO : 0),
                                    .vertex_max = demo.vertex_max,
                                    .triangle_max = demo.triangle_max};
     snprintf(head.name, sizeof head.name, "%s", asset->name);
@@ -211,6 +212,9 @@ size_t asset_scene(const struct asset *asset, uint8_t *bytes)
     const struct model_motion *motion = asset->model.motion;
     struct writer to = {bytes, sizeof head};
     to.used += head.mesh_count * (uint32_t)sizeof *meshes;
+    if (asset->model.studio != NULL) {
+        append(&to, asset->model.studio, sizeof *asset->model.studio);
+    }
     for (uint32_t i = 0; i < head.mesh_count; i++) {
         meshes[i] = write_mesh(&to, asset, i, meshes);
     }

@@ -245,12 +245,25 @@ static void put_camera(FILE *file, const struct demo_eye *eye)
             lens->near_z, lens->far_z);
 }
 
+static void put_studio(FILE *file, const struct demo_studio *s)
+{
+    fprintf(file, "\nstatic const struct demo_studio studio = {W(0x%04X), %u, ", number_of(s->background), s->has_lamp);
+    asset_put_vec3(file, s->to_lamp_q30);
+    fputs("};\n", file);
+}
+
 static void put_demo(FILE *file, const struct asset *asset)
 {
     const struct demo demo = asset_demo(asset);
     const unsigned count = (unsigned)asset->model.mesh_count;
     const bool moves = asset->model.motion != NULL, is_still = asset->model.has_camera;
+    if (asset->model.studio != NULL) {
+        put_studio(file, asset->model.studio);
+    }
     fputs("\nstatic int init(struct demo_context *context)\n{\n", file);
+    if (asset->model.studio != NULL) {
+        fputs("    context->studio = &studio;\n", file);
+    }
     if (moves) {
         fprintf(file, "    return animation_init(context, &animation, meshes, %u, %s);\n}\n", count,
                 is_still ? "&eye" : "NULL");

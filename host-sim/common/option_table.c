@@ -71,7 +71,7 @@ static bool store(const struct option_row *row, void *options, const char *value
         return true;
     }
     *(const char **)at = value;
-    return row->words != NULL ? has_word(row->words, value) : *value != '\0';
+    return row->check != NULL ? row->check(value) : row->words != NULL ? has_word(row->words, value) : *value != '\0';
 }
 
 int option_table_read(const struct option_table *table, void *options, int argc, char *const argv[], int i)

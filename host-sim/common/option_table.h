@@ -19,10 +19,11 @@ struct option_row {
     bool (*set)(void *options, const char *value); /* value is NULL if there is none; false: it is wrong */
     size_t at; /* where `set` is NULL: offset in options of a bool (it takes no value), of a uint32_t (most is
                   not 0), or of a const char *, which may not be left out and not be empty */
-    uint32_t least, most; /* of a whole number */
-    const char *words;    /* the only ones that a const char * may be, with | between them; NULL: any */
-    nearest_list *names;  /* what a wrong value may have meant; NULL: no list */
-    const char *alias;    /* another name of the option, without "--"; NULL: none */
+    uint32_t least, most;             /* of a whole number */
+    bool (*check)(const char *value); /* whether a const char * is right; NULL: any is */
+    const char *words;                /* the only ones that a const char * may be, with | between them; NULL: any */
+    nearest_list *names;              /* what a wrong value may have meant; NULL: no list */
+    const char *alias;                /* another name of the option, without "--"; NULL: none */
 };
 
 struct option_table {

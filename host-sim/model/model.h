@@ -66,9 +66,10 @@ struct model {
     uint32_t triangle_count; /* of all meshes */
     bool has_camera;
     struct demo_eye camera;
-    const char *note;            /* one line on what could not be used, or NULL */
-    struct model_motion *motion; /* NULL: nothing moves */
-    const void *scene;           /* of a binary scene: its bytes, as scene_file.h says; else NULL */
+    const char *note;                 /* one line on what could not be used, or NULL */
+    struct model_motion *motion;      /* NULL: nothing moves */
+    const struct demo_studio *studio; /* of options; NULL: as usual */
+    const void *scene;                /* of a binary scene: its bytes, as scene_file.h says; else NULL */
 };
 
 /* How a file is read; all zero: as it says. */
@@ -77,10 +78,17 @@ struct model_options {
     const char *texture; /* a picture for all that has texture coordinates, or NULL */
     const char *filter;  /* of its textures: "nearest", "bilinear", "mipmap", or "file": as the samplers of a glTF file
                             say; NULL: nearest. A binary scene keeps its own. */
+    const char *background; /* RRGGBB, a colour in hexadecimal; NULL: DEMO_MODEL_BACKGROUND */
+    const char *light;      /* one of MODEL_LIGHTS: one lamp far away, where the viewer sees it; NULL: two lamps */
     uint32_t cross_fade_ms; /* how long the way from one clip to the next takes; 0: ANIMATION_CROSS_FADE */
     bool two_sided;         /* all faces are drawn from behind, too */
     bool allow_outside;     /* it may name files outside of its folder */
 };
+
+#define MODEL_LIGHTS "left|right|front|above|back"
+
+/* Whether a text is six hexadecimal digits. */
+bool model_is_colour(const char *text);
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): names, which stand in none */
 /* The row for a member that is model_options.allow_outside. */
@@ -109,6 +117,18 @@ struct model_options {
          "nearest, bilinear, mipmap or file",                                                                          \
          .at = offsetof(options, member.filter),                                                                       \
          .words = "nearest|bilinear|mipmap|file"},                                                                     \
+        {"background",                                                                                                 \
+         "RRGGBB",                                                                                                     \
+         "the colour behind the model, in hexadecimal; 141A26 by default",                                             \
+         "six hexadecimal digits",                                                                                     \
+         .at = offsetof(options, member.background),                                                                   \
+         .check = model_is_colour},                                                                                    \
+        {"light",                                                                                                      \
+         MODEL_LIGHTS,                                                                                                 \
+         "where one lamp stands, far away, as the viewer sees it; two lamps by default",                               \
+         "left, right, front, above or back",                                                                          \
+         .at = offsetof(options, member.light),                                                                        \
+         .words = MODEL_LIGHTS},                                                                                       \
         {"cross-fade",                                                                                                 \
          "MS",                                                                                                         \
          "how long the select button takes from one clip to the next; 250 ms by default",                              \

@@ -16,6 +16,7 @@ static int init(struct demo_context *context, const struct demo_eye *eye)
 {
     const struct model *model = context->state;
     const struct fx_vec3 centre = {0, 0, 0};
+    context->studio = model->studio;
     return model->motion != NULL
                ? animation_init(context, &model->motion->animation, model->meshes, model->mesh_count, eye)
            : eye != NULL ? demo_still_init(context, model->meshes, model->mesh_count, eye)

@@ -9,6 +9,7 @@
 #include "model_ply.h"
 #include "model_rig.h"
 #include "model_stl.h"
+#include "model_studio.h"
 
 /* Counts triangles after every node has its own copy of its meshes. */
 static uint64_t count_triangles(const struct model_scene *scene)
@@ -79,6 +80,7 @@ bool model_read(struct model_shared *shared, const char *path)
     }
     if (is_read) {
         model_framing_check(shared);
+        model_studio_make(shared);
     }
     return is_read;
 }

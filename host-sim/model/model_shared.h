@@ -13,6 +13,7 @@ struct model_shared {
     struct model model;
     struct demo_arena arena; /* behind this struct */
     struct model_options options;
+    struct demo_studio studio;        /* of the options */
     struct model_folder folder;       /* what the file may name */
     const struct ph_texture *texture; /* of options.texture, once it is made */
     struct model_rig *rig;            /* what moves; NULL: nothing */

@@ -337,8 +337,9 @@ static struct scene_file_head *copy_with_camera(uint8_t *bytes)
 #define INSIDE  "is broken: a mesh is not inside it"
 #define NO_NAME "is broken: its name is no text"
 #define NO_FLAG "is broken: it has unknown flags"
+#define NO_LAMP "is broken: its lamp is none"
 
-KIND(an_unknown_flag, NO_FLAG, head->flags |= 4)
+KIND(an_unknown_flag, NO_FLAG, head->flags |= 8)
 KIND(a_name_without_an_end, NO_NAME, memset(head->name, 'x', SCENE_FILE_NAME))
 KIND(a_name_that_moves_the_cursor, NO_NAME, memcpy(head->name, "\033[2J", 5))
 KIND(no_mesh, "has no mesh", head->mesh_count = 0)
@@ -386,6 +387,20 @@ KIND(a_normal_of_length_2, NULL, normals_in(bytes)[0] = INT16_MAX)
 KIND(a_position_far_away, NULL, *(int32_t *)(void *)(bytes + mesh_in(bytes, OPAQUE)->positions) = INT32_MIN)
 KIND(nothing_of_a_mesh_shows, NULL, mesh_in(bytes, MASKED)->alpha = 0)
 
+/* Writes a studio where the first mesh has its data. */
+static void put_studio(struct scene_file_head *head, uint16_t has_lamp, fx_t up)
+{
+    const struct demo_studio studio = {.has_lamp = has_lamp, .to_lamp_q30 = {0, up, 0}};
+    head->flags |= SCENE_FILE_STUDIO;
+    memcpy((uint8_t *)head + scene_file_studio(head), &studio, sizeof studio);
+}
+
+KIND(a_lamp_without_a_direction, NO_LAMP, put_studio(head, 1, 0))
+KIND(a_lamp_that_is_too_bright, NO_LAMP, put_studio(head, 1, INT32_MAX))
+KIND(two_lamps, NO_LAMP, put_studio(head, 2, 1 << 30))
+KIND(a_lamp_above, NULL, put_studio(head, 1, 1 << 30))
+KIND(no_lamp, NULL, put_studio(head, 0, 0))
+
 struct kind {
     const char *name;
     void (*change)(uint8_t *bytes, struct scene_file_head *head);
@@ -420,6 +435,11 @@ static void check_kinds(const struct kind *kinds, size_t count)
 static void each_kind_of_wrong_content_is_refused_or_is_meant(void **state)
 {
     static const struct kind kinds[] = {ROW(an_unknown_flag),
+                                        ROW(a_lamp_without_a_direction),
+                                        ROW(a_lamp_that_is_too_bright),
+                                        ROW(two_lamps),
+                                        ROW(a_lamp_above),
+                                        ROW(no_lamp),
                                         ROW(a_name_without_an_end),
                                         ROW(a_name_that_moves_the_cursor),
                                         ROW(no_mesh),

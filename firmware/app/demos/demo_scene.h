@@ -154,6 +154,10 @@ extern const struct ph_scene_light demo_daylight;
 /* A key light from the upper left, and a weak one from the right that shows the far side. */
 extern const struct ph_scene_light demo_two_lamps;
 
+/* What lights a model and what is behind it: as context->studio says. */
+struct ph_scene_light demo_studio_light(const struct demo_context *context);
+uint16_t demo_studio_background(const struct demo_context *context);
+
 /* Whether band number `band`, of that many lines, holds a row of a text at row y of the picture, or of its outline. */
 static inline bool demo_text_reaches(const struct ph_renderer *r, uint32_t band, uint32_t lines, int32_t y)
 {

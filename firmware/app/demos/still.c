@@ -33,7 +33,7 @@ int demo_still_init(struct demo_context *context, const struct ph_mesh *meshes, 
         return PH_ERR_NOMEM;
     }
     const struct ph_xform to_world = ph_xform_inverse_rigid(&eye->view);
-    *s = (struct still){meshes, mesh_count, eye->view, fit_frame(context, &eye->lens), demo_two_lamps};
+    *s = (struct still){meshes, mesh_count, eye->view, fit_frame(context, &eye->lens), demo_studio_light(context)};
     for (uint32_t i = 0; i < s->light.count; i++) { /* as on the turntable, but in the coordinates of the eye */
         struct fx_vec3 *const to_light = &s->light.lights[i].to_light_q30;
         *to_light = ph_xform_direction_q30(&to_world, *to_light);
@@ -49,6 +49,6 @@ int demo_still_frame(struct demo_context *context, struct ph_renderer *r, uint32
     struct ph_projection projection = s->projection;
     (void)frame;
     demo_orbit(context, &view, &projection);
-    const int status = demo_begin(context, r, &view, &projection, &s->light, DEMO_MODEL_BACKGROUND);
+    const int status = demo_begin(context, r, &view, &projection, &s->light, demo_studio_background(context));
     return status ? status : demo_draw_meshes(r, s->meshes, s->mesh_count, &ph_xform_identity);
 }

@@ -151,7 +151,8 @@ int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, ui
     const struct ph_xform to_world = ph_xform_mul(&turn, &to_axis);
     struct demo_fit camera = t->camera;
     demo_orbit(context, &camera.view, &camera.projection);
-    int status = demo_begin(context, r, &camera.view, &camera.projection, &demo_two_lamps, DEMO_MODEL_BACKGROUND);
+    const struct ph_scene_light light = demo_studio_light(context);
+    int status = demo_begin(context, r, &camera.view, &camera.projection, &light, demo_studio_background(context));
     status = status ? status : demo_draw_meshes(r, t->meshes, t->mesh_count, &to_world);
     return status || !t->platter ? status : ph_draw_mesh(r, &t->platter->mesh, &turn);
 }
