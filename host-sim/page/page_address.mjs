@@ -1,7 +1,7 @@
 // address: what the page shows, in its address: #board=NAME&demo=NAME&view=NAME&depth=NAME&frame=N, or size=WxH without
 // a kit. The names are those of the options of pinhole-sim. Where the camera was moved, moved=TURN,UP,AWAY says how far
 // (core.moved()). The tab Model is #tab=model&board=NAME, with what is not as usual under the names of pinhole-asset's options:
-// up, filter, texture-size, turntable, two-sided, max-triangles; beside shows the unsimplified model, too. A model itself is in no address.
+// up, filter, texture-size, background, light, turntable, two-sided, max-triangles; beside shows the unsimplified model, too. A model itself is in no address.
 
 const FRAMES = 1e9; // numbers of frames are below, as in pinhole-sim
 const SIDE = 1024; // pixels of a glass at most
@@ -76,15 +76,29 @@ export function writeAddress(state, core) {
 
 export const tabOf = (hash) => (new URLSearchParams(hash.replace(/^#/, '')).get('tab') === 'model' ? 'model' : 'kit');
 
-const usual = (input) => (input.type === 'checkbox' ? input.defaultChecked : Math.max(0, [...input.options].findIndex((option) => option.defaultSelected)));
+const usual = (select) => Math.max(0, [...select.options].findIndex((option) => option.defaultSelected));
 
-// Sets inputs, an object of selects and checkboxes by the names in the address. Returns { board, triangles, wrong }: its index; what
+// Whether an input has the value that stands in no address.
+export function isUsual(input) {
+    const { type } = input;
+    return type === 'checkbox' ? input.checked === input.defaultChecked : type === 'color' ? input.value === input.defaultValue : input.selectedIndex === usual(input);
+}
+
+const textOf = ({ type, value, options, selectedIndex }) => (type === 'checkbox' ? 'on' : type === 'color' ? value.slice(1) : options[selectedIndex].text);
+
+// Sets inputs, an object of selects, colours and checkboxes by the names in the address. Returns { board, triangles, wrong }: its index; what
 // max-triangles says ('fit' where it is not named, 'all', or a number); lines about what the address has wrong.
 export function readModelAddress(hash, boards, inputs) {
     const words = new URLSearchParams(hash.replace(/^#/, '')), wrong = [];
     for (const [name, input] of Object.entries(inputs)) {
         if (input.type === 'checkbox') {
             input.checked = words.has(name) || input.defaultChecked;
+        } else if (input.type === 'color') {
+            const text = words.get(name) ?? input.defaultValue.slice(1), good = /^[0-9a-f]{6}$/i.test(text);
+            input.value = good ? `#${text}` : input.defaultValue;
+            if (!good) {
+                wrong.push(`--${name} '${text}': six hexadecimal digits`);
+            }
         } else {
             const texts = [...input.options].map((option) => option.text), text = words.get(name) ?? texts[usual(input)];
             input.selectedIndex = indexOf(texts, text, texts[usual(input)], name, wrong);
@@ -100,8 +114,8 @@ export function readModelAddress(hash, boards, inputs) {
 export function writeModelAddress(board, inputs, triangles) {
     const words = new URLSearchParams({ tab: 'model', board: board.name });
     for (const [name, input] of Object.entries(inputs)) {
-        if (input.type === 'checkbox' ? input.checked !== usual(input) : input.selectedIndex !== usual(input)) {
-            words.set(name, input.type === 'checkbox' ? 'on' : input.options[input.selectedIndex].text);
+        if (!isUsual(input)) {
+            words.set(name, textOf(input));
         }
     }
     if (triangles !== 'fit') {

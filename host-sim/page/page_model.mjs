@@ -1,5 +1,5 @@
 // model: the tab in which a model of the user becomes a scene, and is drawn as a kit draws it.
-import { readModelAddress, tabOf, writeModelAddress } from './page_address.mjs';
+import { isUsual, readModelAddress, tabOf, writeModelAddress } from './page_address.mjs';
 import { makeBeside } from './page_beside.mjs';
 import { showBoards } from './page_boards.mjs';
 import { at, count, fill, showFacts } from './page_facts.mjs';
@@ -34,7 +34,7 @@ export function openModelTab({ boards }, startAnother, readerModule, flasher) {
         updateSend();
     };
     const inputs = { up: at('model-up'), filter: at('model-filter'), 'texture-size': at('model-texture'),
-        turntable: at('model-turntable'), 'two-sided': at('model-two-sided'), beside: at('model-compare') };
+        background: at('model-background'), light: at('model-light'), turntable: at('model-turntable'), 'two-sided': at('model-two-sided'), beside: at('model-compare') };
     const remember = () => {
         if (!at('model').hidden) {
             const triangles = made?.triangles ?? first;
@@ -162,7 +162,8 @@ export function openModelTab({ boards }, startAnother, readerModule, flasher) {
         at('model-what').textContent = 'reading';
         at('model-progress').value = 0;
         busy(true);
-        const options = { up: at('model-up').value, filter: +at('model-filter').value, two_sided: +at('model-two-sided').checked };
+        const options = { up: at('model-up').value, filter: +at('model-filter').value, two_sided: +at('model-two-sided').checked,
+            background: isUsual(inputs.background) ? -1 : parseInt(inputs.background.value.slice(1), 16), light: +at('model-light').value };
         const answer = await reader.ask({ call: 'open', files, path, options });
         busy(false);
         if (answer.wrong !== undefined) {
@@ -210,7 +211,7 @@ export function openModelTab({ boards }, startAnother, readerModule, flasher) {
         input.addEventListener('change', remember);
     }
     at('model-board').addEventListener('change', () => takeBoard(+at('model-board').value));
-    for (const id of ['model-up', 'model-filter', 'model-two-sided']) {
+    for (const id of ['model-up', 'model-filter', 'model-background', 'model-light', 'model-two-sided']) {
         at(id).addEventListener('change', open);
     }
     for (const id of ['model-texture', 'model-turntable', 'model-clip', 'model-compare']) {

@@ -18,14 +18,14 @@ export async function openModel(module, files, tell) {
     calls._initialize();
     const said = () => take(2).trim().split('\n').at(-1).replace(/^pinhole: (model )?/, '');
     return {
-        // up: '', 'y' or 'z'; filter: its number. Returns '' or what is wrong.
-        open(path, { up, filter, two_sided }) {
+        // up: '', 'y' or 'z'; filter, light: their numbers; background: 0xRRGGBB, or -1 for the usual. Returns '' or what is wrong.
+        open(path, { up, filter, two_sided, background, light }) {
             const bytes = new TextEncoder().encode(`${path}\0`);
             if (bytes.length > 1024) { // PAGE_MODEL_PATH
                 return 'the path of the file is too long';
             }
             new Uint8Array(calls.memory.buffer, calls.page_model_path(), bytes.length).set(bytes);
-            return calls.page_model_open(up.charCodeAt(0) || 0, filter, two_sided) === 0 ? '' : said();
+            return calls.page_model_open(up.charCodeAt(0) || 0, filter, two_sided, background, light) === 0 ? '' : said();
         },
         // Returns { scene, report }, or { wrong }.
         make({ board, triangles, texture_log2, turntable, clip }) {

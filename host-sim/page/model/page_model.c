@@ -6,6 +6,7 @@
 #include "json_text.h"
 #include "scene_file.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 static struct page_model {
@@ -22,13 +23,18 @@ char *page_model_path(void)
     return page.path;
 }
 
-int page_model_open(int up, unsigned filter, int two_sided)
+int page_model_open(int up, unsigned filter, int two_sided, int32_t background, unsigned light)
 {
     static const char *const filters[] = {"nearest", "bilinear", "mipmap", "file"};
+    static const char *const lights[] = {NULL, "left", "right", "front", "above", "back"};
+    char colour[7];
+    snprintf(colour, sizeof colour, "%06x", (unsigned)background & 0xFFFFFF);
     const struct model_options options = {.up = up == 'z'   ? "z"
                                                 : up == 'y' ? "y"
                                                             : NULL,
                                           .filter = filters[filter % 4],
+                                          .background = background >= 0 ? colour : NULL,
+                                          .light = lights[light % 6],
                                           .two_sided = two_sided != 0};
     const int status = model_open(&page.model, page.path, &options);
     if (status == 0 && page.model->motion != NULL) {

@@ -20,8 +20,9 @@
 PAGE_EXPORT char *page_model_path(void);
 
 /* Reads the file of that path. up: 'y', 'z', or 0 for what the format says. filter: 0 .. 3 for nearest, bilinear,
- * mipmap and what the file says. 0 or a message. */
-PAGE_EXPORT int page_model_open(int up, unsigned filter, int two_sided);
+ * mipmap and what the file says. background: 0xRRGGBB, or -1 for the usual. light: 0 for two lamps, 1 .. 5 for the
+ * words of MODEL_LIGHTS. 0 or a message. */
+PAGE_EXPORT int page_model_open(int up, unsigned filter, int two_sided, int32_t background, unsigned light);
 
 /* Makes a scene of it, with clip number `clip` alone where the model has more than one (-1: with all), of at most so
  * many triangles. 0 triangles: as many as the board has room for; UINT32_MAX: all. texture_log2: of the longest side of

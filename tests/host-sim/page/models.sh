@@ -44,6 +44,8 @@ printf 'newmtl ring\nmap_Kd ring.png\n' >"$to/ring.mtl"
 # What the page does without being told: as many triangles as pico-display-2 has room for.
 "$B/pinhole-asset" "$to/made.glb" --board pico-display-2 --max-triangles fit -o "$to/fit.phs" 2>/dev/null
 "$B/pinhole-sim" --model "$to/fit.phs" --board pico-display-2 --crc | sed 's/.* //' >"$to/scene.crc"
+# The same in another light.
+"$B/pinhole-asset" "$to/made.glb" --board pico-display-2 --max-triangles fit --background 336699 --light left -o "$to/light.phs" 2>/dev/null
 # Step 501 of the 1000 of its slider.
 triangles=$(node -p 'Math.round(16 * (1152 / 16) ** 0.501)')
 for kind in phs c; do

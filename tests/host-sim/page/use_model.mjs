@@ -1,5 +1,5 @@
 // use_model: tries the tab Model as its users do; see browser.mjs. FOLDER has models, and scenes that pinhole-asset made of
-// them: made.glb and fit.phs, ring.obj with its files (in the folder ring, too) and ring.phs, ring.triangles, ring.c, large.obj, boards, whole.crc; scene.crc is what pinhole-sim draws.
+// them: made.glb, fit.phs and light.phs, ring.obj with its files (in the folder ring, too) and ring.phs, ring.triangles, ring.c, large.obj, boards, whole.crc; scene.crc is what pinhole-sim draws.
 import { readFileSync, truncateSync, writeFileSync } from 'node:fs';
 
 const same = (is, must, what) => (String(is) === String(must) ? [] : [`${what}: ${is}, not ${must}`]);
@@ -39,6 +39,15 @@ export async function useModel(test) {
         readFileSync(`${folder}/scene.crc`, 'utf8').trim(), 'crc32'));
     check('... on every board of the table', same(await page.evaluate(() => document.querySelectorAll('#model-boards tr').length),
         await page.evaluate(() => document.getElementById('model-board').options.length), 'rows'));
+
+    await page.fill('#model-background', '#336699');
+    await page.waitForFunction(() => document.getElementById('model-busy').hidden);
+    await page.selectOption('#model-light', { label: 'left' });
+    await page.waitForFunction(() => document.getElementById('model-busy').hidden);
+    await saved('#model-save', 'made.saved');
+    check('... also before another background and in another light', [...same(await text('model-said'), '', 'said'), ...equal('made.saved', 'light.phs')]);
+    await page.fill('#model-background', '#141a26');
+    await page.selectOption('#model-light', { label: 'two lamps' });
 
     const glb = readFileSync(`${folder}/made.glb`);
     writeFileSync(`${folder}/short.glb`, glb.subarray(0, glb.length / 2));
@@ -104,11 +113,12 @@ async function faults(test) {
 }
 
 async function address(test) {
-    const hash = '#tab=model&board=pico-display&up=z&filter=bilinear&texture-size=64&turntable=on&two-sided=on&max-triangles=100';
+    const hash = '#tab=model&board=pico-display&up=z&filter=bilinear&texture-size=64&background=336699&light=left&turntable=on&two-sided=on&max-triangles=100';
     const { check } = test, { page, text, give } = await begin(test, hash);
     check('the address opens the tab Model', same(await page.isVisible('#model'), true, 'visible'));
     await give('ring.obj', 'ring.mtl', 'ring.png');
-    check('... with what it says', [...same(await page.evaluate(() => ['up', 'filter', 'texture', 'board'].map((id) => document.getElementById(`model-${id}`).selectedOptions[0].text)), 'z,bilinear,64,pico-display, 240x135', 'choices'),
+    check('... with what it says', [...same(await page.evaluate(() => ['up', 'filter', 'texture', 'light', 'board'].map((id) => document.getElementById(`model-${id}`).selectedOptions[0].text)), 'z,bilinear,64,left,pico-display, 240x135', 'choices'),
+        ...same(await page.inputValue('#model-background'), '#336699', 'background'),
         ...same(await page.isChecked('#model-turntable'), true, 'turntable'), ...same(await page.isChecked('#model-two-sided'), true, 'two-sided'), ...same(/ of 1,152$/.test(await text('model-count')) && parseInt(await text('model-count'), 10) <= 100, true, await text('model-count'))]);
     check('... and keeps it', same(await page.evaluate(() => location.hash), hash, 'hash'));
     await page.selectOption('#model-filter', { label: 'nearest' });
