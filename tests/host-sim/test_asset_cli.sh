@@ -51,6 +51,15 @@ same_frames() { # model, triangles, boards...
 
 sphere_frames() { collapsed=96 same_frames "$@"; } # its poles: 48 triangles each with two corners in one place
 
+# The C file draws what the binary scene does.
+studio_in_c() {
+    local kind frame
+    for kind in c phs; do "$asset" "$scene" -o "$dir/studio.$kind" --background 336699 --light back || return 1; done
+    compile "$dir/studio.c" "$dir/studio" && "$dir/studio" pico-display 2 50 >"$dir/c.crcs" || return 1
+    for frame in 0 50; do "$B/pinhole-sim" --model "$dir/studio.phs" --board pico-display --start $frame --crc; done >"$dir/phs.crcs"
+    cmp "$dir/c.crcs" "$dir/phs.crcs" && "$asset" "$scene" -o "$dir/plain.phs" && [ "$(stat -c %s "$dir/studio.phs")" = $(($(stat -c %s "$dir/plain.phs") + 16)) ]
+}
+
 frames_move() { # a driver that draws nothing would pass otherwise
     "$asset" "$dir/sphere.obj" -o "$dir/s.c" --max-triangles 300 && compile "$dir/s.c" "$dir/s" && "$dir/s" pico-display 1 1 "$dir/pictures" >/dev/null &&
         "$dir/s" pico-display 3 50 | cut -d' ' -f4 >"$dir/crcs" && [ "$(sort -u "$dir/crcs" | wc -l)" = 3 ]
@@ -309,6 +318,7 @@ long "simplified_scene_draws_the_simulators_bytes" same_frames "$dir/sphere.obj"
 short "a simplified animation draws the simulator's bytes" same_frames "$moving" 36 pico-display
 long "simplified_scene_is_close_to_the_model" close_to_the_model
 short "frames_move" frames_move
+short "background and light in C and in 16 bytes of a binary scene" studio_in_c
 short "other_data_is_seen" other_data_is_seen
 short "output_is_deterministic" output_is_deterministic
 short "too_large_for_the_board_says_what_to_do" too_large_for_the_board_says_what_to_do
