@@ -228,6 +228,7 @@ refuses() { # status, pattern, arguments...: one line on stderr, nothing on stdo
 
 wrong_usage_is_told() {
     refuses 2 'no model named' && refuses 2 'nothing to do' x.obj && refuses 2 'name a --board' x.obj -o y.c --max-triangles fit &&
+        refuses 2 "--background '33669': must be six hexadecimal digits" x.obj --background 33669 && refuses 2 "--light 'up': must be left" x.obj --light up &&
         refuses 2 'power of two' x.obj --texture-size 100 && refuses 2 'one model at a time' x.obj y.obj && refuses 2 'no such option' --turn &&
         refuses 2 'that pinhole-sim --list shows' x.obj --board none && refuses 2 '-o needs a value' x.obj -o && refuses 2 'whole number' x.obj --max-triangles 0 &&
         refuses 2 "-o 'scene.bin': must be a file that ends in .c or .phs" "$scene" -o scene.bin && refuses 2 "--out 'scene': must be" "$scene" --out scene && [ ! -e scene.bin ] && [ ! -e scene ] &&
