@@ -24,7 +24,7 @@ static void without_options_there_is_none(void **state)
 
 static void a_colour_is_six_hexadecimal_digits(void **state)
 {
-    static const char *const wrong[] = {"", "12345", "1234567", "#12345", "0x1234", "12345g", " 12345"};
+    static const char *const wrong[] = {"", "12345", "1234567", "#12345", "0x1234", "12345g", " 12345", "123456g"};
     (void)state;
     assert_true(model_is_colour("09afAF"));
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
