@@ -5,19 +5,23 @@
 #include "complain.h"
 #include "crc32.h"
 #include "scene_file.h"
+#include "sim_choose.h"
 #include "sim_list.h"
 #include "sim_model.h"
-#include "sim_player.h"
+#include "sim_show.h"
+#include "sim_tell.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct page {
-    struct sim_virtual virtual_board;
+    struct sim_choice choice;
     struct sim_player player; /* setup.board NULL: none is open */
     uint8_t *scene;           /* the binary scene, or NULL */
     uint32_t scene_bytes;
     struct demo scene_demo;
+    char words[PAGE_WORDS]; /* of page_run */
 };
 
 static struct page page;
@@ -62,10 +66,10 @@ int page_scene(void)
 int page_open(int board, unsigned width, unsigned height, int demo, unsigned view, unsigned depth)
 {
     close_kit();
-    if (board < 0 && sim_virtual(&page.virtual_board, (uint16_t)width, (uint16_t)height) != 0) {
+    if (board < 0 && sim_virtual(&page.choice.virtual_board, (uint16_t)width, (uint16_t)height) != 0) {
         return HAL_EINVAL;
     }
-    const struct board *const kit = board < 0 ? &page.virtual_board.board : board_list[board];
+    const struct board *const kit = board < 0 ? &page.choice.virtual_board.board : board_list[board];
     const struct demo *const scene = demo < 0 ? &page.scene_demo : demo_list[demo];
     const struct sim_player_setup setup = {.board = kit,
                                            .rotation = kit->rotation,
@@ -75,7 +79,52 @@ int page_open(int board, unsigned width, unsigned height, int demo, unsigned vie
                                            .state = demo < 0 ? page.scene : NULL,
                                            .cure = demo < 0 ? "take fewer triangles" : NULL,
                                            .view = scene->views != NULL ? scene->views[view] : NULL};
+    sim_show_depth(false);
     return sim_player_open(&page.player, &setup);
+}
+
+char *page_words(void)
+{
+    return page.words;
+}
+
+#define WORDS_MOST 64
+
+/* Opens the kit for the words. */
+static int open_words(uint32_t count, struct sim_options *o)
+{
+    char name[] = "pinhole-sim", *words[WORDS_MOST + 1] = {name}, *at = page.words;
+    struct sim_player_setup setup = {.board = NULL};
+    page.words[PAGE_WORDS - 1] = '\0';
+    for (uint32_t i = 1; i <= count && i <= WORDS_MOST && at < page.words + PAGE_WORDS; i++) {
+        words[i] = at;
+        at += strlen(at) + 1;
+    }
+    int status =
+        count > WORDS_MOST ? complain("more than %d options", WORDS_MOST) : sim_options_read(o, (int)count + 1, words);
+    if (status != 0 || o->action != OPTION_RUN || o->model != NULL) {
+        return status != 0 ? status : complain("there are no files here, no help and no lists");
+    }
+    page.choice.writing = (struct sim_matrix_writing){.convention = (enum ph_convention)o->convention};
+    status = sim_choose_kit(o, &page.choice, &setup);
+    status = status == 0 ? sim_choose_demo(o, &setup) : status;
+    return status == 0 ? sim_player_open(&page.player, &setup) : status;
+}
+
+int page_run(uint32_t count)
+{
+    struct sim_options o;
+    close_kit();
+    int status = open_words(count, &o);
+    if (status == 0 && (o.matrix || o.point_set || o.frustum_z != 0)) {
+        sim_tell_cameras(&o, stdout, &page.player, page.choice.writing);
+        fflush(stdout);
+    }
+    if (status == 0) {
+        sim_show_depth(o.show != NULL);
+        status = sim_tell_ride(&o, &page.player, o.start);
+    }
+    return status == 0 ? sim_player_frame(&page.player, o.start) : status;
 }
 
 int page_frame(uint32_t frame, uint32_t buttons)

@@ -24,6 +24,16 @@ PAGE_EXPORT int page_scene(void);
  * is the binary scene. 0, or another number and a message. */
 PAGE_EXPORT int page_open(int board, unsigned width, unsigned height, int demo, unsigned view, unsigned depth);
 
+#define PAGE_WORDS 8192 /* bytes */
+
+/* Returns PAGE_WORDS bytes for the options of pinhole-sim, each with a 0 behind it. */
+PAGE_EXPORT char *page_words(void);
+
+/* Does what pinhole-sim does with so many options from there, but for files: opens the kit in place of the one before,
+ * prints what --matrix, --point and --frustum ask for on stdout, and draws the first frame, also where nothing can be
+ * printed of it. 0, or another number if there is no picture; what is wrong is on stderr. */
+PAGE_EXPORT int page_run(uint32_t count);
+
 /* Draws a frame while these buttons (enum hal_button) are held, and sends it to the glass. 0, or another number and a
  * message. */
 PAGE_EXPORT int page_frame(uint32_t frame, uint32_t buttons);

@@ -7,7 +7,8 @@
 # model.wasm reads models and writes scenes.
 PAGE := host-sim/page
 PAGE_HOST := $(wildcard host-sim/controllers/sim*.c host-sim/controllers/*_table.c) \
-             $(patsubst %,host-sim/common/%.c,complain json_text nearest option_text) $(PAGE)/progress.c host-sim/sim/sim_list.c host-sim/sim/sim_player.c \
+             $(patsubst %,host-sim/common/%.c,complain json_text nearest nearest_kits option_camera option_table option_text) $(PAGE)/progress.c \
+             $(filter-out %/pinhole_sim.c,$(wildcard host-sim/sim/*.c)) \
              $(filter-out %/model_open.c %/model_folder.c,$(wildcard host-sim/model/*.c host-sim/model/formats/*.c host-sim/model/gltf/*.c)) \
              $(filter-out %/pinhole_asset.c %/asset_check.c %/asset_options.c,$(wildcard host-sim/asset/*.c)) host-sim/picture/picture_in.c \
              $(filter-out %/pinhole_flash.c,$(wildcard host-sim/flash/*.c))
@@ -38,15 +39,22 @@ $(PAGE_WASM) &: FORCE
 	    '$(B)/wasm/page.wasm' '$(B)/wasm/model.wasm'
 
 page_link = $(SAY) LD $@; $(CC) $(CFLAGS) -mexec-model=reactor -Wl,--export-dynamic,--strip-all,-z,stack-size=$(1) $(filter %.o %.a,$^) -o $@
-PAGE_SIM_O := $(B)/$(PAGE)/page.o $(B)/$(PAGE)/page_flash.o
+PAGE_SIM_O := $(patsubst %,$(B)/$(PAGE)/%.o,page page_flash guard)
 $(B)/page.wasm: $(PAGE_SIM_O) $(LIBS)
-	$(Q)$(call page_link,262144)
+	$(Q)$(call page_link,262144) -lc-printscan-long-double $(PAGE_WRAPPED:%=-Wl,--wrap=%)
+
+# What pinhole-sim replaces at link time: this linker has no --defsym, so that the functions are compiled under the names it looks for.
+PAGE_WRAPPED := ph_frame_begin ph_frame_camera ph_draw_mesh demo_draw_band
+ifneq ($(findstring wasm32,$(CC)),)
+$(B)/host-sim/sim/sim_cameras.o: DEFS += $(foreach name,frame_begin frame_camera draw_mesh,-Dsim_cameras_$(name)=__wrap_ph_$(name))
+$(B)/host-sim/sim/sim_show.o: DEFS += -Dsim_show_draw_band=__wrap_demo_draw_band
+endif
 
 # A hostile model may ask for memory: 1.5 GiB are the most that the module gets.
 PAGE_MODEL_O := $(call objects,$(wildcard $(PAGE)/model/*.c))
 $(B)/model.wasm: $(PAGE_MODEL_O) $(LIBS)
 	$(Q)$(call page_link,4194304) -Wl,--max-memory=1610612736
 
-$(PAGE_SIM_O): INC = $(INC_HOST) $(call rooms,host-sim,sim controllers flash)
+$(PAGE_SIM_O): INC = $(INC_HOST) $(call rooms,host-sim,sim controllers flash model asset)
 $(B)/$(PAGE)/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model model/gltf asset) -isystem /usr/include/stb
 -include $(PAGE_SIM_O:.o=.d) $(PAGE_MODEL_O:.o=.d)

@@ -2,6 +2,8 @@
 
 import { makeWasi } from './page_wasi.mjs';
 
+const WORDS = 8192; // PAGE_WORDS of page.h
+
 // Returns the lists of the simulator, and its calls. `messages` are lines that a program would print on stderr.
 export async function startCore(bytes) {
     let calls = null;
@@ -20,6 +22,17 @@ export async function startCore(bytes) {
         // board, demo, view and depth are indices of the lists; without a board it is a glass of width x height pixels.
         open({ board = -1, width = 240, height = 240, demo, view = 0, depth = 0 }) {
             return calls.page_open(board, width, height, demo, view, depth) === 0;
+        },
+        // Does what pinhole-sim does with these words (page_run of page.h). Returns { drawn, text, wrong }: whether there is a
+        // picture, what it prints, and its messages.
+        run(words) {
+            const bytes = new TextEncoder().encode(words.map((word) => `${word}\0`).join('')), at = calls.page_words();
+            if (bytes.length > WORDS) {
+                return { drawn: false, text: '', wrong: 'these options are too long' };
+            }
+            new Uint8Array(calls.memory.buffer, at, WORDS).fill(0).set(bytes);
+            const drawn = calls.page_run(words.length) === 0;
+            return { drawn, text: take(1), wrong: take(2).trim().replace(/^pinhole: /gm, '') };
         },
         // Takes a binary scene, which demo number -1 shows from then on. Returns '' or what is wrong.
         scene(bytes) {

@@ -1,4 +1,4 @@
-// files: those that a user drops, or chooses, as a Map of paths and bytes.
+// files: those that a user drops, or chooses, as a Map of paths and bytes; those that are saved; and those in the page.
 
 const MOST = 2 ** 28; // bytes of all files: each of them is in memory twice
 
@@ -82,4 +82,10 @@ export function saveFile(name, parts, type) {
     link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+// Resolves to the bytes that stand as base64 of gzip in the page, or beside it.
+export async function unpack(text) {
+    const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    return new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
 }

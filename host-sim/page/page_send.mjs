@@ -1,6 +1,6 @@
 // send: the part "To the kit" of a tab, which saves the kit's image as a UF2 file, or writes it into a kit by USB. The images
 // stand beside the page, as scripts, because a page that was opened from a file may load those, and nothing else.
-import { saveFile } from './page_files.mjs';
+import { saveFile, unpack } from './page_files.mjs';
 import { chooseBoard } from './page_usb.mjs';
 
 const chips = JSON.parse(document.getElementById('kits').textContent); // by board
@@ -21,9 +21,7 @@ async function loadKit(name) {
         }
     }
     const { uf2, flash } = globalThis.pinholeKits[name];
-    const packed = Uint8Array.from(atob(uf2), (letter) => letter.charCodeAt(0));
-    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-    return { uf2: new Uint8Array(await new Response(stream).arrayBuffer()), flash };
+    return { uf2: await unpack(uf2), flash };
 }
 
 // Fills the element. board() is the name of the board that is chosen; scene() is { name, bytes } that goes with the image, or

@@ -22,8 +22,24 @@ sees() { # pattern, command that must fail and print it
 check "every golden frame is the same in WebAssembly" golden tests/golden/frames.txt
 sed -n '1s/.$/-/p' tests/golden/frames.txt >"$try/wrong.txt"
 check "... a frame that differs is seen" sees '1 differ' golden "$try/wrong.txt"
+
+words_are_the_tools() { # the runs of the lesson, and matrices that are wrong
+    local is name line
+    while read -r is name line; do
+        [ "$is" != '$' ] || { [[ $line = *--demo* ]] && echo "$line"; } || echo "--demo cube $line"
+    done <tests/host-sim/lesson.txt >"$try/words"
+    local lens=1,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,1,0 # w has the other sign
+    printf -- '--demo cube --size 64x48 --camera eye=2,1,5 %s--projection-matrix %s\n' '' "$lens" '--anyway ' "$lens" >>"$try/words"
+    echo '--demo cube --projection fisheye --show depth' >>"$try/words"
+    while read -r -a words; do
+        "$B/pinhole-sim" "${words[@]}" --crc 2>"$try/said"
+        sed 's/^pinhole-sim: /# /' "$try/said"
+    done <"$try/words" >"$try/words.tool"
+    node tests/host-sim/page/words.mjs "$B/wasm/page.wasm" <"$try/words" | diff "$try/words.tool" -
+}
+check "what its module prints for a command line, and says, and draws, is what pinhole-sim does" words_are_the_tools
 check "the page takes at most 1.5 MB" [ "$(wc -c <"$B/page/index.html")" -le 1500000 ]
-check "no script of it has 300 lines" [ -z "$(wc -l host-sim/page/*.mjs | awk '$1 >= 300 && $2 != "total"')" ]
+check "no script of it has 300 lines" [ -z "$(wc -l host-sim/page/*.mjs host-sim/page/lesson/*.mjs | awk '$1 >= 300 && $2 != "total"')" ]
 
 if lacks=$(tests/host-sim/page/browser.sh --lacks); then
     simulator=$B/pinhole-sim
