@@ -74,7 +74,10 @@ export function writeAddress(state, core) {
     return `#${words}`.replaceAll('%2C', ',');
 }
 
-export const tabOf = (hash) => (new URLSearchParams(hash.replace(/^#/, '')).get('tab') === 'model' ? 'model' : 'kit');
+export function tabOf(hash) {
+    const tab = new URLSearchParams(hash.replace(/^#/, '')).get('tab');
+    return ['model', 'lesson'].includes(tab) ? tab : 'kit';
+}
 
 const usual = (select) => Math.max(0, [...select.options].findIndex((option) => option.defaultSelected));
 

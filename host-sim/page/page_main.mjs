@@ -3,6 +3,7 @@ import { tabOf } from './page_address.mjs';
 import { startCore } from './page_core.mjs';
 import { unpack } from './page_files.mjs';
 import { startFlash } from './page_flash.mjs';
+import { openLesson } from './lesson/lesson_tab.mjs';
 import { openKit } from './page_kit.mjs';
 import { openModelTab } from './page_model.mjs';
 import { showTabs } from './page_tabs.mjs';
@@ -16,7 +17,8 @@ try {
     const flasher = () => startFlash(wasm);
     openKit(core, flasher);
     openModelTab(core, () => startCore(wasm), () => model_wasm, flasher);
-    const show = showTabs(document.getElementById('tabs'), [{ id: 'kit', title: 'Kit' }, { id: 'model', title: 'Model' }]);
+    openLesson(() => startCore(wasm));
+    const show = showTabs(document.getElementById('tabs'), [{ id: 'kit', title: 'Kit' }, { id: 'model', title: 'Model' }, { id: 'lesson', title: 'Lesson' }]);
     const follow = () => show(tabOf(location.hash));
     window.addEventListener('hashchange', follow);
     follow();
