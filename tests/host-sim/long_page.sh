@@ -18,6 +18,7 @@ try=$(mktemp -d) || exit 1
 trap 'rm -rf "$try"' EXIT
 check "models, and what the tools make of them" tests/host-sim/page/models.sh "$try" "${boards[@]}"
 check "fingers, widths and models of all kinds in the page" tests/host-sim/page/browser.sh "$try" 'looks models'
+check "the lesson by pointer, fingers and keys, its lines of C, and what lectures ask for" tests/host-sim/page/browser.sh "$try" lessons
 
 the_readers_memory_ends() { # at 1.5 GiB, which are 24576 pages
     node -e 'const module = new WebAssembly.Module(require("fs").readFileSync(process.argv[1])), imports = {};

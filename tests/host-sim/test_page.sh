@@ -47,7 +47,7 @@ if lacks=$(tests/host-sim/page/browser.sh --lacks); then
     "$simulator" --demo turntable --board pico-display --start 5 --keys "$try/keys" --crc | sed 's/.* //' >"$try/keys.crc"
     "$simulator" --demo turntable --size 320x240 --start 11 --crc | sed 's/.* //' >"$try/size.crc"
     check "models, and what the tools make of them" tests/host-sim/page/models.sh "$try"
-    check "the page works in Chromium" tests/host-sim/page/browser.sh "$try" 'kit model host' waveshare-rp2040-lcd-1in28
+    check "the page works in Chromium" tests/host-sim/page/browser.sh "$try" 'kit model lesson host' waveshare-rp2040-lcd-1in28
     check "... and the picture that it saved is the simulator's" \
         "$simulator" --demo solar --view moon --depth fixed24 --board waveshare-rp2040-lcd-1in28 --start 7 --check "$try/saved.png"
 else

@@ -69,9 +69,23 @@ export function openLesson(startAnother) {
         const r = m.map((row) => row.map(Number));
         return r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) - r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) + r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]) > 0;
     };
+    // Runs the words. Where the camera can be drawn and a number cannot be printed, the words that ask for it are left out, so
+    // that the command draws, too; the message stays.
+    const run = () => {
+        const all = lessonWords(state), point = state.get('point');
+        let result = null, said = '';
+        for (const without of [[], ['--point', point], ['--point', point, '--matrix', 'factors', '--flatten', state.get('flatten'), '--frustum', state.get('frustum')]]) {
+            words = all.filter((word) => !without.includes(word));
+            result = core.run(words);
+            said = said === '' ? result.wrong : said;
+            if (result.text !== '' || !words.includes('--matrix')) {
+                break;
+            }
+        }
+        return { ...result, wrong: said };
+    };
     const draw = () => {
-        words = lessonWords(state);
-        const { drawn, text, wrong } = core.run(words);
+        const { drawn, text, wrong } = run();
         read = readLessonText(text);
         say(wrong.replaceAll('\n', '; '), wrong !== '');
         if (drawn) {
@@ -149,17 +163,13 @@ export function openLesson(startAnother) {
         }
     });
     const follow = async () => {
-        if (at('lesson').hidden) {
-            return;
-        }
         core ??= await startAnother();
         state = tabOf(location.hash) === 'lesson' ? readLessonAddress(location.hash) : state.size > 0 ? state : readLessonAddress('');
         kept.clear();
         draw();
         remember();
     };
-    at('lesson').addEventListener('enter', follow);
-    window.addEventListener('hashchange', () => tabOf(location.hash) === 'lesson' && follow());
+    at('lesson').addEventListener('enter', follow); // the tab, or another address in it
     openLessonExercises(at('lesson-exercises'), (address) => {
         location.hash = address;
         at('lesson').scrollIntoView();

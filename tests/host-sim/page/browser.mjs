@@ -7,10 +7,11 @@ import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { use, useMore } from './use.mjs';
+import { useLesson, useLessonMore } from './use_lesson.mjs';
 import { useModel, useModelMore } from './use_model.mjs';
 import { useSend } from './use_send.mjs';
 
-const uses = { kit: use, looks: useMore, model: useModel, models: useModelMore, send: useSend, host };
+const uses = { kit: use, looks: useMore, model: useModel, models: useModelMore, send: useSend, lesson: useLesson, lessons: useLessonMore, host };
 const [modules, page_file, expected, folder, ...wanted] = process.argv.slice(2);
 const { chromium } = createRequire(resolve(modules) + '/')('playwright-core');
 const address = pathToFileURL(resolve(page_file)).href;
