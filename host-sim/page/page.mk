@@ -42,14 +42,12 @@ $(PAGE_WASM) &: FORCE
 page_link = $(SAY) LD $@; $(CC) $(CFLAGS) -mexec-model=reactor -Wl,--export-dynamic,--strip-all,-z,stack-size=$(1) $(filter %.o %.a,$^) -o $@
 PAGE_SIM_O := $(patsubst %,$(B)/$(PAGE)/%.o,page page_flash guard)
 $(B)/page.wasm: $(PAGE_SIM_O) $(LIBS)
-	$(Q)$(call page_link,262144) -lc-printscan-long-double $(PAGE_WRAPPED:%=-Wl,--wrap=%)
+	$(Q)$(call page_link,262144) -lc-printscan-long-double $(foreach pair,$(PAGE_WRAPPED),-Wl,--wrap=$(firstword $(subst =, ,$(pair))))
 
-# What pinhole-sim replaces at link time: this linker has no --defsym, so that the functions are compiled under the names it looks for.
-PAGE_WRAPPED := ph_frame_begin ph_frame_camera ph_draw_mesh demo_draw_band
-ifneq ($(findstring wasm32,$(CC)),)
-$(B)/host-sim/sim/sim_cameras.o: DEFS += $(foreach name,frame_begin frame_camera draw_mesh,-Dsim_cameras_$(name)=__wrap_ph_$(name))
-$(B)/host-sim/sim/sim_show.o: DEFS += -Dsim_show_draw_band=__wrap_demo_draw_band
-endif
+# What pinhole-sim replaces at link time, as NAME=REPLACEMENT: the linker for WebAssembly has no --defsym, so that the replacements are
+# compiled under the names that it looks for.
+PAGE_WRAPPED := $(shell sed -n 's/^.(B).pinhole-sim: .*--wrap=\([a-z_]*\),--defsym=__wrap_[a-z_]*=\([a-z_]*\).*/\1=\2/p' Makefile)
+$(if $(findstring wasm32,$(CC)),$(eval $$(B)/host-sim/sim/%.o: DEFS += $(foreach pair,$(PAGE_WRAPPED),-D$(lastword $(subst =, ,$(pair)))=__wrap_$(firstword $(subst =, ,$(pair))))))
 
 # A hostile model may ask for memory: 1.5 GiB are the most that the module gets.
 PAGE_MODEL_O := $(call objects,$(wildcard $(PAGE)/model/*.c))

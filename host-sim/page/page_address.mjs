@@ -1,7 +1,8 @@
 // address: what the page shows, in its address: #board=NAME&demo=NAME&view=NAME&depth=NAME&frame=N, or size=WxH without
 // a kit. The names are those of the options of pinhole-sim. Where the camera was moved, moved=TURN,UP,AWAY says how far
 // (core.moved()). The tab Model is #tab=model&board=NAME, with what is not as usual under the names of pinhole-asset's options:
-// up, filter, texture-size, background, light, turntable, two-sided, max-triangles; beside shows the unsimplified model, too. A model itself is in no address.
+// up, filter, texture-size, background, light, turntable, two-sided, max-triangles; beside shows the unsimplified model, too. A
+// model itself is in no address. That of the tab Lesson is read by lesson_state.mjs.
 
 const FRAMES = 1e9; // numbers of frames are below, as in pinhole-sim
 const SIDE = 1024; // pixels of a glass at most

@@ -3,13 +3,11 @@ import { lessonNumber, lessonPlace, readLessonCamera, writeLessonCamera } from '
 
 const lessonDegrees = (half) => 360 / Math.PI * Math.atan(half);
 const lessonTangent = (degrees) => Math.tan(degrees * Math.PI / 360);
-const LESSON_USUAL = { fov: '60', near: '0.5', far: '100', projection: 'perspective', convention: 'gl', size: '240x240', point: '' };
-
-export const lessonSize = (state) => (state.get('size') ?? LESSON_USUAL.size).split('x').map(Number);
+const LESSON_USUAL = { fov: '60', near: '0.5', far: '100', projection: 'perspective', convention: 'gl', size: '240x240', point: '', camera: '' };
 
 // input(name) is the control of a name; set(changes) takes { option: value } of pinhole-sim; where() tells { eye, target } of the
-// camera that is shown. Returns show(state).
-export function watchLessonControls(input, state, set, where) {
+// camera that is shown, and size() its picture. Returns what shows the state.
+export function watchLessonControls(input, state, set, where, size) {
     const value = (name) => state().get(name) ?? LESSON_USUAL[name];
     const places = () => readLessonCamera(state().get('camera')) ?? { ...where(), up: '' };
     const distanceOf = ({ eye, target }) => Math.hypot(...eye.map((x, i) => x - target[i]));
@@ -29,31 +27,35 @@ export function watchLessonControls(input, state, set, where) {
             set({ camera: moveTo(+text), ...(isLocked() ? { fov: lessonNumber(fov) } : {}) });
         },
         aspect(text) {
-            const height = lessonSize(state())[1];
+            const [, height] = size();
             set({ size: `${Math.max(1, Math.min(1024, Math.round(height * text)))}x${height}` });
         },
     };
+    // LMU writes both planes as coordinates, or both as distances.
+    const takePlane = (name, other) => (text) => set({ [name]: value('convention') === 'lmu' && value(other).startsWith('-') ? lessonNumber(-Math.abs(text)) : text });
+    take.near = takePlane('near', 'far');
+    take.far = takePlane('far', 'near');
     for (const name of ['fov', 'near', 'far', 'distance', 'aspect']) {
         for (const part of [input(name), input(`${name}-text`)]) {
             part.addEventListener(part.type === 'range' ? 'input' : 'change', () => {
-                const text = lessonNumber(+part.value);
-                (take[name] ?? ((number) => set({ [name]: number })))(text);
+                take[name](lessonNumber(+part.value));
             });
         }
     }
-    for (const name of ['projection', 'convention', 'size', 'point']) {
+    for (const name of ['projection', 'convention', 'size', 'point', 'camera']) {
         input(name).addEventListener('change', () => set({ [name]: input(name).value.trim() }));
     }
     input('show').addEventListener('change', () => set({ show: input('show').checked ? 'depth' : '' }));
     const showNumber = (name, number) => {
         for (const part of [input(name), input(`${name}-text`)]) {
-            if (+part.value !== +number || part.value === '') {
-                part.value = number;
+            const must = part.type === 'range' ? Math.abs(number) : number;
+            if (+part.value !== +must || part.value === '') {
+                part.value = must;
             }
         }
     };
     return () => {
-        const [width, height] = lessonSize(state());
+        const [width, height] = size();
         showNumber('fov', state().get('fov') ?? (value('projection') === 'fisheye' ? '180' : '60'));
         showNumber('near', value('near'));
         showNumber('far', value('far'));
@@ -63,7 +65,7 @@ export function watchLessonControls(input, state, set, where) {
         if (!kinds.includes(value('projection'))) {
             input('projection').add(new Option(value('projection')));
         }
-        for (const name of ['projection', 'convention', 'size', 'point']) {
+        for (const name of ['projection', 'convention', 'size', 'point', 'camera']) {
             input(name).value = value(name);
         }
         input('show').checked = value('show') === 'depth';

@@ -3,6 +3,7 @@
 
 const LESSON_FLAGS = ['anyway', 'aa', 'dither', 'overlay'];
 const LESSON_LENS = ['fov', 'focal', 'near', 'far', 'projection']; // what --projection-matrix holds
+const LESSON_EITHER = { camera: 'view-matrix', 'view-matrix': 'camera', fov: 'focal', focal: 'fov', size: 'board', board: 'size', projection: 'focal' };
 const LESSON_FIRST = '#tab=lesson&demo=cube&size=240x180&fov=60&near=2&far=10&camera=eye=0,3,1,target=0,0,-3&point=1,1,-2';
 
 // Returns the state of an address; one that names no option opens what the lesson begins with.
@@ -19,10 +20,10 @@ export function writeLessonAddress(state) {
     return `#${new URLSearchParams([['tab', 'lesson'], ...state])}`.replaceAll('%2C', ',').replaceAll('%3D', '=');
 }
 
-// Sets an option, or takes it away where value is ''. What excludes it goes away: of a camera and a view matrix the older, and
-// of a lens and its matrix. `kept` has the lens's options meanwhile, which come back with the next of them that is set.
+// Sets an option, or takes it away where value is ''. What excludes it goes away, and so does a lens before its matrix, and a
+// matrix before a lens. `kept` has the lens's options meanwhile, which come back with the next of them that is set.
 export function setLessonOption(state, kept, name, value) {
-    state.delete(name === 'camera' ? 'view-matrix' : name === 'view-matrix' ? 'camera' : '');
+    state.delete(value !== '' && LESSON_EITHER[name]);
     if (name === 'projection-matrix' && value !== '') {
         for (const option of LESSON_LENS.filter((option) => state.has(option))) {
             kept.set(option, state.get(option));

@@ -5,19 +5,19 @@ import { at } from '../page_facts.mjs';
 import { makeGlass } from '../page_glass.mjs';
 import { lessonLensAs, lessonViewAs } from './lesson_algebra.mjs';
 import { lessonCode } from './lesson_code.mjs';
-import { lessonOrbit, lessonPoint, lessonSize, watchLessonControls } from './lesson_controls.mjs';
+import { lessonOrbit, lessonPoint, watchLessonControls } from './lesson_controls.mjs';
 import { openLessonExercises } from './lesson_exercise_view.mjs';
 import { lessonFactor, makeLessonLines, makeLessonMatrix, readLessonText } from './lesson_numbers.mjs';
 import { lessonCommand, lessonNumber, lessonList, lessonPlace, lessonWords, readLessonAddress, readLessonCamera, readLessonOptions, setLessonOption, writeLessonAddress, writeLessonCamera } from './lesson_state.mjs';
 import { lessonCube, lessonScene, makeLessonWorld } from './lesson_world.mjs';
 
-const LESSON_CONTROLS = ['size', 'fov', 'near', 'far', 'camera', 'projection', 'convention', 'point', 'show', 'demo', 'view-matrix', 'projection-matrix', 'anyway'];
+const LESSON_CONTROLS = ['size', 'fov', 'near', 'far', 'camera', 'projection', 'convention', 'point', 'show', 'view-matrix', 'projection-matrix', 'anyway'];
 const lessonFloats = (matrix) => matrix?.flat().map(Number) ?? null;
 
 // startAnother() starts a module of its own, in which the glass of the tab Kit is not disturbed.
 export function openLesson(startAnother) {
     const input = (name) => at(`lesson-${name}`), kept = new Map();
-    let core = null, state = new Map(), read = readLessonText(''), words = [];
+    let core = null, state = new Map(), read = readLessonText(''), words = [], size = [240, 240]; // of the glass
 
     const say = (text, wrong = false) => {
         input('said').textContent = text;
@@ -49,7 +49,7 @@ export function openLesson(startAnother) {
     };
     // The vertex as a cross on the glass, from the pixel that was printed.
     const showCross = ({ lines }) => {
-        const [width, height] = lessonSize(state), x = lines['pixel.x'], y = lines['pixel.y'], w = lines['clip.w'];
+        const [width, height] = size, x = lines['pixel.x'], y = lines['pixel.y'], w = lines['clip.w'];
         const before = w && (w[1] > 0) === (convention() !== 'lmu' || lines.w1 === undefined);
         const left = x && x[1] / width, top = y && (convention() === 'lmu' ? 1 - y[1] / height : y[1] / height);
         input('cross').hidden = !before || !(left >= 0 && left <= 1 && top >= 0 && top <= 1);
@@ -89,8 +89,10 @@ export function openLesson(startAnother) {
         read = readLessonText(text);
         say(wrong.replaceAll('\n', '; '), wrong !== '');
         if (drawn) {
-            glass.show(core.glass());
-            glass.describe(`The scene as the camera sees it, ${lessonSize(state).join(' by ')} pixels`);
+            const picture = core.glass();
+            size = [picture.width, picture.height];
+            glass.show(picture);
+            glass.describe(`The scene as the camera sees it, ${size.join(' by ')} pixels`);
         }
         showLines(read.lines);
         showMatrices(read);
@@ -99,7 +101,7 @@ export function openLesson(startAnother) {
         showControls();
         input('more').value = [...state].filter(([name]) => !LESSON_CONTROLS.includes(name)).map(([name, value]) => `--${name}${value === 'on' ? '' : ` ${value}`}`).join(' ');
         input('command').textContent = lessonCommand(words);
-        input('code').textContent = drawn ? lessonCode(state, lessonSize(state), read) : '';
+        input('code').textContent = drawn ? lessonCode(state, size, read) : '';
         input('crc').textContent = drawn ? `crc32 ${core.crc()}` : '';
     };
     const remember = () => !at('lesson').hidden && history.replaceState(null, '', writeLessonAddress(state));
@@ -113,8 +115,11 @@ export function openLesson(startAnother) {
         draw();
         remember();
     };
-    // Matrices that were typed, as another convention writes them.
+    // Matrices that were typed, and planes that are coordinates, as another convention writes them.
     const rewrite = (to) => {
+        for (const name of ['near', 'far'].filter((plane) => state.has(plane))) {
+            state.set(name, state.get(name).replace('-', ''));
+        }
         for (const [name, as] of [['view-matrix', lessonViewAs], ['projection-matrix', lessonLensAs]]) {
             const typed = state.has(name) && lessonPlace(state.get(name));
             if (typed && typed.every(Number.isFinite)) {
@@ -134,7 +139,7 @@ export function openLesson(startAnother) {
     const showShift = makeLessonMatrix(at('lesson-shift'), 'move', 'T: translation; V = R T');
     const showViewport = makeLessonMatrix(at('lesson-viewport'), 'viewport', 'viewport, NDC to pixels');
     const showMore = { object: makeLessonMatrix(at('lesson-object'), 'object', 'object, object to world'), flatten: makeLessonMatrix(at('lesson-flatten'), 'flatten', 'flatten: drops the depth') };
-    const showControls = watchLessonControls(input, () => state, set, where);
+    const showControls = watchLessonControls(input, () => state, set, where, () => size);
 
     input('view-back').addEventListener('click', () => set({ camera: writeLessonCamera({ ...where(), eye: where().eye.map((x) => +lessonNumber(x)), target: where().target.map((x) => +lessonNumber(x)) }) }));
     input('lens-back').addEventListener('click', () => set({ 'projection-matrix': '' }));

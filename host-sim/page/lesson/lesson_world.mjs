@@ -11,7 +11,7 @@ const WORLD_KEYS = { ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 
 
 // The second camera, which goes around the middle of the scene. project() returns [x, y, units of a pixel], or null behind it.
 function makeWorldCamera() {
-    const camera = { yaw: 0.95, pitch: 0.35, near: 1, middle: [0, 0, 0], radius: 1, width: 1, height: 1 };
+    const camera = { yaw: 0.95, pitch: 0.35, near: 1, middle: [0, 0, 0], radius: 1, width: 0, height: 0 };
     camera.axes = () => {
         const { yaw, pitch } = camera, [sy, cy, sp, cp] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
         return [[cy, 0, -sy], [-sy * sp, cp, -cy * sp], [sy * cp, sp, cy * cp]]; // right, up, back
@@ -116,13 +116,11 @@ export function makeLessonWorld(element, moved) {
         }
     };
     const paint = () => {
-        if (scene === null || element.clientWidth === 0) {
+        if (scene === null || camera.width === 0) {
             return;
         }
         const ratio = window.devicePixelRatio, style = getComputedStyle(element), colour = (name) => style.getPropertyValue(name).trim();
         const colours = { dim: colour('--line'), ink: colour('--ink'), object: colour('--ink'), frustum: colour('--accent'), near: colour('--near'), point: colour('--warn') };
-        camera.width = element.clientWidth;
-        camera.height = element.clientHeight;
         if (canvas.width !== Math.round(camera.width * ratio) || canvas.height !== Math.round(camera.height * ratio)) {
             canvas.width = Math.round(camera.width * ratio);
             canvas.height = Math.round(camera.height * ratio);
@@ -207,7 +205,11 @@ export function makeLessonWorld(element, moved) {
         camera.near = Math.max(0.25, Math.min(4, camera.near * Math.exp(event.deltaY / 1000)));
         paint();
     }, { passive: false });
-    new ResizeObserver(paint).observe(element);
+    new ResizeObserver(([{ contentRect }]) => { // asking for a size each time would lay out the page each time
+        camera.width = contentRect.width;
+        camera.height = contentRect.height;
+        paint();
+    }).observe(element);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
     return {
         draw(next) {
