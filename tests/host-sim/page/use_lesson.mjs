@@ -206,6 +206,22 @@ async function walk(page, check) {
         [...same(things.length, 53, 'things'), ...bad.flatMap(({ title, faults }) => [`${title}: ${faults[0] ?? 'no label has two values'}`])]);
 }
 
+// A finger drags the vertex, on a small screen.
+async function fingers({ browser, open, check }) {
+    const page = await open(browser, { viewport: { width: 360, height: 700 }, hasTouch: true }), before = await show(page, STATES[0]);
+    const box = await page.locator('[data-handle=point]').boundingBox(), session = await page.context().newCDPSession(page);
+    const touch = (type, ...ways) => session.send('Input.dispatchTouchEvent', { type, touchPoints: ways.map((way) => ({ x: box.x + box.width / 2 + way, y: box.y + box.height / 2 + way })) });
+    await touch('touchStart', 0);
+    await touch('touchMove', 10);
+    await touch('touchMove', 20);
+    await touch('touchEnd');
+    const after = await page.evaluate(readLesson);
+    check('a finger drags the vertex', [...compareTool(after), ...(after.hash !== before.hash ? [] : ['nothing moved']), ...same(await page.evaluate(() => scrollY), 0, 'scrolled')]);
+    check('everything of the lesson to click or to type in has a name', await page.evaluate(() => [...document.querySelectorAll('#lesson :is(button, select, input, canvas, [tabindex])')]
+        .filter((element) => !(element.getAttribute('aria-label') || (element.matches('select, input') ? element.labels[0] : element)?.textContent.trim())).map((element) => element.outerHTML)));
+    await page.context().close();
+}
+
 async function looks({ browser, open, check, folder }) {
     for (const width of [360, 800, 1440]) {
         for (const colorScheme of ['light', 'dark']) {
@@ -228,5 +244,6 @@ export async function useLessonMore(test) {
     await conventions(page, check, 'demo=cube&size=96x64&view-matrix=1,0,0,0,0,1,0,0,0,0,1,-1,0,0,0,1&projection-matrix=1,0,0,0,0,1.5,0,0,0,0,-1.5,-5,0,0,-1,0&anyway=on&point=0,0,-2', 'typed matrices');
     await walk(page, check);
     await looks(test);
+    await fingers(test);
     await page.context().close();
 }
