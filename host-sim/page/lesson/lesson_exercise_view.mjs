@@ -23,34 +23,39 @@ function showChapters(element, open) {
     }
 }
 
-function showExercise({ title, make }) {
+// open(address) shows an exercise's numbers above.
+function showExercise({ title, source, make }, open) {
     const body = exercisePart('form', { className: 'lesson-exercise', noValidate: true }), details = exercisePart('details', {}, exercisePart('summary', { textContent: title }), body);
+    let judge = () => {};
     const fill = () => {
-        const { text, parts, check } = make(Math.random);
-        const inputs = parts.map(() => exercisePart('input', { type: 'text', autocomplete: 'off' })), said = parts.map(() => exercisePart('p', { className: 'said' }));
+        const { text, parts, address, check } = make(Math.random);
+        const inputs = parts.map(() => exercisePart('input', { type: 'text', autocomplete: 'off', spellcheck: false })), said = parts.map(() => exercisePart('p', { className: 'said' }));
         const rows = parts.flatMap(({ label }, i) => [exercisePart('label', { textContent: `${label} ` }, inputs[i]), said[i]]);
-        const other = exercisePart('button', { type: 'button', textContent: 'Other numbers' });
+        const buttons = [exercisePart('button', { type: 'submit', className: 'main', textContent: 'Check' }), exercisePart('button', { type: 'button', textContent: 'Other numbers', onclick: fill })];
         said.forEach((line) => line.setAttribute('role', 'status'));
-        other.addEventListener('click', fill);
-        body.onsubmit = (event) => {
-            event.preventDefault();
-            check(inputs.map(({ value }) => value)).forEach(({ ok, say }, i) => {
-                said[i].textContent = ok ? `right${say ? `: ${say}` : ''}` : say;
-                said[i].classList.toggle('wrong', !ok);
-            });
-        };
+        judge = () => check(inputs.map(({ value }) => value)).forEach(({ ok, say }, i) => {
+            said[i].textContent = ok ? `right${say ? `: ${say}` : ''}` : say;
+            said[i].classList.toggle('wrong', !ok);
+        });
+        if (address) {
+            buttons.push(exercisePart('button', { type: 'button', textContent: 'Show it above', onclick: () => open(address) }));
+        }
         body.replaceChildren(exercisePart('p', { className: 'lesson-task', textContent: text }), ...rows,
-            exercisePart('div', { className: 'transport' }, exercisePart('button', { type: 'submit', className: 'main', textContent: 'Check' }), other));
+            exercisePart('div', { className: 'transport' }, ...buttons), exercisePart('p', { className: 'hint', textContent: source ?? '' }));
     };
+    body.addEventListener('submit', (event) => {
+        event.preventDefault();
+        judge();
+    });
     details.addEventListener('toggle', () => details.open && body.childElementCount === 0 && fill());
     return details;
 }
 
-// Fills the element. open(address) is called with the address of a chapter.
+// Fills the element. open(address) is called with the address of a chapter, or of an exercise's numbers.
 export function openLessonExercises(element, open) {
     element.hidden = chapters.length + exercises.length === 0;
     const left = exercisePart('div', {}, exercisePart('h2', { textContent: 'Chapters' })), right = exercisePart('div', {}, exercisePart('h2', { textContent: 'Exercises' }));
     showChapters(left, open);
-    right.append(...exercises.map(showExercise));
+    right.append(...exercises.map((exercise) => showExercise(exercise, open)));
     element.append(left, right);
 }
