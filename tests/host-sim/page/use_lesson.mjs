@@ -42,7 +42,7 @@ function readLesson() {
     const cells = [...document.querySelectorAll('#lesson .lesson-matrix [data-label]')].filter((cell) => !/^(turn|move)\./.test(cell.dataset.label) && cell.offsetParent !== null)
         .map((cell) => [cell.dataset.label, plain(cell.value ?? cell.textContent)]);
     return { numbers: [...rows, ...cells].filter(([, text]) => text !== '').map(([label, text]) => `${label}: ${text}`).sort(), said: of('said').textContent,
-        command: of('command').textContent, code: of('code').textContent, crc: window.painted(document.querySelector('#lesson-glass canvas')), hash: location.hash };
+        command: of('command').textContent, code: of('code').textContent, cross: of('cross').hidden ? null : [parseFloat(of('cross').style.left), parseFloat(of('cross').style.top)], crc: window.painted(document.querySelector('#lesson-glass canvas')), hash: location.hash };
 }
 
 // Opens a state by its address.
@@ -64,6 +64,14 @@ function compareTool(shown, typed = []) {
     const is = compared(shown.numbers), must = compared(numbers);
     return [...is.filter((line) => !must.includes(line)).map((line) => `only on the page: ${line}`), ...must.filter((line) => !is.includes(line)).map((line) => `only of the tool: ${line}`),
         ...same(shown.crc, crc, 'crc32'), ...same(shown.said.replace(/(; )?--(matrix|point): .*/, ''), said, 'said'), ...(must.length > 0 || !shown.command.includes('--matrix ') ? [] : ['no numbers'])];
+}
+
+// The cross stands at the pixel that is printed; LMU counts lines upwards.
+function compareCross({ cross, numbers, command }) {
+    const [width, height] = /--size (\d+)x(\d+)/.exec(command).slice(1).map(Number), of = (label) => +numbers.find((line) => line.startsWith(`${label}: `))?.split(' ')[2];
+    const must = [of('pixel.x') / width, command.includes('lmu') ? 1 - of('pixel.y') / height : of('pixel.y') / height].map((share) => share * 100);
+    const inside = must.every((share) => share >= 0 && share <= 100);
+    return inside ? same(cross?.map((share) => share.toFixed(2)), must.map((share) => share.toFixed(2)), 'cross') : same(cross, null, 'cross');
 }
 
 // Each convention has other numbers, and the same pixels.
@@ -108,8 +116,9 @@ export async function useLesson({ browser, open, check }) {
     const page = await open(browser);
     for (const options of STATES) {
         const shown = await show(page, options);
-        check(`the lesson's numbers and pixels are those of pinhole-sim: ${options}`, [...compareTool(shown), ...same(new URLSearchParams(shown.hash.slice(1)).toString(), new URLSearchParams(`tab=lesson&${options}`).toString(), 'address')]);
+        check(`the lesson's numbers and pixels are those of pinhole-sim: ${options}`, [...compareTool(shown), ...compareCross(shown), ...same(new URLSearchParams(shown.hash.slice(1)).toString(), new URLSearchParams(`tab=lesson&${options}`).toString(), 'address')]);
     }
+    check('a fisheye is drawn, and so is its depth buffer', compareTool(await show(page, 'demo=cube&size=96x96&projection=fisheye&fov=170&camera=eye=0,0,0,target=0,0,-3&point=1,1,-2&show=depth')));
     await conventions(page, check, STATES[0], 'a perspective');
     await wrongMatrix(page, check);
     await lock(page, check);
@@ -141,12 +150,21 @@ async function moves(page, check) {
         await page.mouse.move(at[0] + 30, at[1] - 20, { steps: 3 });
         await page.mouse.up();
         const dragged = await page.evaluate(readLesson);
-        check(`${handle} is dragged`, [...compareTool(dragged), ...(dragged.hash !== before.hash ? [] : ['nothing moved'])]);
+        const height = (hash) => +new RegExp(handle === 'point' ? 'point=[^,]*,([^,&]*)' : `${handle}=[^,]*,([^,&]*)`).exec(hash)?.[1];
+        check(`${handle} is dragged, upwards`, [...compareTool(dragged), ...(height(dragged.hash) > (height(before.hash) || 0) ? [] : [`${before.hash} ${dragged.hash}`])]);
         await page.focus(`[data-handle=${handle}]`);
         await page.keyboard.press('PageUp');
         const pressed = await page.evaluate(readLesson);
         check('... and moved by a key', [...compareTool(pressed), ...(pressed.hash !== dragged.hash ? [] : ['nothing moved'])]);
     }
+    await show(page, STATES[0]);
+    const glass = await page.locator('#lesson-glass canvas').boundingBox();
+    await page.mouse.move(glass.x + 20, glass.y + 20);
+    await page.mouse.down();
+    await page.mouse.move(glass.x + 60, glass.y + 20, { steps: 3 });
+    await page.mouse.up();
+    const around = await page.evaluate(readLesson), eye = /eye=([-.\d]+),([-.\d]+),([-.\d]+)/.exec(around.command).slice(1).map(Number);
+    check('a drag on the glass to the right goes around to the left, and keeps the distance', [...compareTool(around), ...(eye[0] < -0.5 && Math.abs(Math.hypot(...eye) - 5) < 0.01 ? [] : [around.command])]);
     const pixels = () => page.evaluate(() => window.painted(document.querySelector('#lesson-world canvas')));
     const world = await pixels();
     await page.evaluate(() => {
