@@ -6,6 +6,12 @@ export const lessonDivided = ([x, y, z, w]) => [x / w, y / w, z / w];
 export const lessonBetween = (a, b, t) => a.map((x, i) => x + (b[i] - x) * t);
 export const lessonDistance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
 
+// The determinant of the rotation in rows of numbers or texts: below 0 it changes hands.
+export function lessonHand(rows) {
+    const [a, b, c] = rows.map((row) => row.map(Number));
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
 // The inverse, or null.
 export function lessonInverse(from) {
     const rows = [0, 4, 8, 12].map((at, i) => [...from.slice(at, at + 4), ...[0, 1, 2, 3].map((j) => +(i === j))]);

@@ -1,4 +1,5 @@
 // lesson_code: the lines of C that make the same camera (camera.h, geom.h).
+import { lessonHand } from './lesson_algebra.mjs';
 import { readLessonCamera } from './lesson_state.mjs';
 
 const C_CONVENTIONS = { gl: 'PH_GL', d3d: 'PH_D3D', lmu: 'PH_LMU', reversed: 'PH_REVERSED' };
@@ -45,18 +46,13 @@ function cWhole(fraction, bits) {
 
 // The view that the lines R and view of pinhole-sim state, in fields: for one that was typed as a matrix.
 function cViewFields({ lines, matrices }, convention) {
-    const mirrored = convention === 'd3d', left_world = mirrored && cDeterminant(lines) > 0;
+    const mirrored = convention === 'd3d', left_world = mirrored && lessonHand(matrices.view) > 0;
     const rows = [0, 1, 2].map((i) => [0, 1, 2].map((j) => {
         const code = cWhole(lines[`R.${i}.${j}`][0], 30);
         return (mirrored && i === 2) !== (left_world && j === 2) ? -code : code;
     }));
     const t = [0, 1, 2].map((i) => Math.round(matrices.view[i][3] * 65536) * (mirrored && i === 2 ? -1 : 1));
     return `{.r = {${rows.map((row) => `{${row.join(', ')}}`).join(', ')}}, .t = {${t.join(', ')}}}`;
-}
-
-function cDeterminant(lines) {
-    const r = [0, 1, 2].map((i) => [0, 1, 2].map((j) => +lines[`R.${i}.${j}`][1]));
-    return r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) - r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) + r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
 }
 
 // Near and far plane of a parallel lens, from the factors scale and shift.

@@ -3,12 +3,12 @@
 import { tabOf } from '../page_address.mjs';
 import { at } from '../page_facts.mjs';
 import { makeGlass } from '../page_glass.mjs';
-import { lessonLensAs, lessonViewAs } from './lesson_algebra.mjs';
+import { lessonApply, lessonHand, lessonInverse, lessonLensAs, lessonViewAs } from './lesson_algebra.mjs';
 import { lessonCode } from './lesson_code.mjs';
 import { lessonOrbit, lessonPoint, watchLessonControls } from './lesson_controls.mjs';
 import { openLessonExercises } from './lesson_exercise_view.mjs';
 import { lessonFactor, makeLessonLines, makeLessonMatrix, readLessonText } from './lesson_numbers.mjs';
-import { lessonCommand, lessonNumber, lessonList, lessonPlace, lessonWords, readLessonAddress, readLessonCamera, readLessonOptions, setLessonOption, writeLessonAddress, writeLessonCamera } from './lesson_state.mjs';
+import { lessonCommand, lessonList, lessonPlace, lessonWords, readLessonAddress, readLessonCamera, readLessonOptions, setLessonOption, writeLessonAddress, writeLessonCamera } from './lesson_state.mjs';
 import { lessonCube, lessonScene, makeLessonWorld } from './lesson_world.mjs';
 
 const LESSON_CONTROLS = ['size', 'fov', 'near', 'far', 'camera', 'projection', 'convention', 'point', 'show', 'view-matrix', 'projection-matrix', 'anyway'];
@@ -24,6 +24,8 @@ export function openLesson(startAnother) {
         input('said').classList.toggle('wrong', wrong);
     };
     const convention = () => state.get('convention') ?? 'gl';
+    // A place of the world of --camera in that of the view that was printed, and back: where d3d's is left-handed, too.
+    const turned = ([x, y, z]) => [x, y, convention() === 'd3d' && read.matrices.view && lessonHand(read.matrices.view) > 0 ? -z : z];
     // Where eye and target are: as the option says, or as the camera that was printed.
     const where = () => {
         const camera = readLessonCamera(state.get('camera')), cell = (i, j) => +(read.lines[`camera.${i}.${j}`]?.[1] ?? 0);
@@ -31,7 +33,7 @@ export function openLesson(startAnother) {
             return camera;
         }
         const eye = [0, 1, 2].map((i) => cell(i, 3)), ahead = convention() === 'd3d' ? 1 : -1;
-        return { eye, target: eye.map((x, i) => x + 3 * ahead * cell(i, 2)), up: '' };
+        return { eye: turned(eye), target: turned(eye.map((x, i) => x + 3 * ahead * cell(i, 2))), up: '' };
     };
     const showMatrices = ({ matrices, lines }) => {
         const typed = (name) => state.get(`${name}-matrix`)?.split(',');
@@ -57,17 +59,12 @@ export function openLesson(startAnother) {
         input('cross').style.top = `${top * 100}%`;
     };
     const showWorld = ({ matrices, lines }) => {
-        const mirrored = convention() === 'd3d' && state.has('view-matrix') && lines['R.2.2'] && Math.sign(matrices.view[2][2]) === Math.sign(lines['R.2.2'][1]) && isLeft(matrices.view);
-        const place = [0, 1, 2].map((i) => lines[`world.${'xyz'[i]}`]?.[1]).map(Number), flip = ([x, y, z]) => [x, y, mirrored ? -z : z];
+        const place = [0, 1, 2].map((i) => lines[`world.${'xyz'[i]}`]?.[1]).map(Number), { eye, target } = where();
         const point = lines['world.x'] ? place : lessonPoint(state), is_cube = state.get('demo') === 'cube' && !state.has('start');
         world.draw(lessonScene({
-            view: lessonFloats(matrices.view), lens: lessonFloats(matrices.projection), convention: convention(), eye: where().eye, target: where().target,
-            point, object: is_cube ? lessonCube(flip) : [],
+            view: lessonFloats(matrices.view), lens: lessonFloats(matrices.projection), convention: convention(), eye: turned(eye), target: turned(target),
+            point, object: is_cube ? lessonCube(turned) : [],
         }));
-    };
-    const isLeft = (m) => {
-        const r = m.map((row) => row.map(Number));
-        return r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) - r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) + r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]) > 0;
     };
     // Runs the words. Where the camera can be drawn and a number cannot be printed, the words that ask for it are left out, so
     // that the command draws, too; the message stays.
@@ -78,7 +75,7 @@ export function openLesson(startAnother) {
             words = all.filter((word) => !without.includes(word));
             result = core.run(words);
             said = said === '' ? result.wrong : said;
-            if (result.text !== '' || !words.includes('--matrix')) {
+            if (!/^--(matrix|point): /m.test(result.wrong)) {
                 break;
             }
         }
@@ -127,8 +124,17 @@ export function openLesson(startAnother) {
             }
         }
     };
-    const moveTo = (name, place) => set(name === 'point' ? { point: lessonList(place) } : { camera: writeLessonCamera({ ...where(), [name]: place }) });
-    const world = makeLessonWorld(at('lesson-world'), moveTo);
+    const moveTo = (name, place) => set({ camera: writeLessonCamera({ ...where(), [name]: place }) });
+    // A handle of the world was moved. The vertex is stated in its object's coordinates.
+    const moved = (name, place) => {
+        const object = lessonFloats(read.matrices.object), inverse = object && lessonInverse(object);
+        if (name === 'point') {
+            set({ point: lessonList(inverse ? lessonApply(inverse, turned(place)).slice(0, 3) : turned(place)) });
+        } else {
+            moveTo(name, turned(place));
+        }
+    };
+    const world = makeLessonWorld(at('lesson-world'), moved);
     const glass = makeGlass(at('lesson-glass'), (right, down, notches) => {
         moveTo('eye', lessonOrbit(where(), right * Math.PI / 128, down * Math.PI / 128, 1 - notches / 16));
     });
@@ -141,7 +147,7 @@ export function openLesson(startAnother) {
     const showMore = { object: makeLessonMatrix(at('lesson-object'), 'object', 'object, object to world'), flatten: makeLessonMatrix(at('lesson-flatten'), 'flatten', 'flatten: drops the depth') };
     const showControls = watchLessonControls(input, () => state, set, where, () => size);
 
-    input('view-back').addEventListener('click', () => set({ camera: writeLessonCamera({ ...where(), eye: where().eye.map((x) => +lessonNumber(x)), target: where().target.map((x) => +lessonNumber(x)) }) }));
+    input('view-back').addEventListener('click', () => set({ camera: writeLessonCamera(where()) }));
     input('lens-back').addEventListener('click', () => set({ 'projection-matrix': '' }));
     input('more').addEventListener('change', () => {
         const { options, wrong } = readLessonOptions(input('more').value);

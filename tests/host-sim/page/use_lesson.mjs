@@ -118,6 +118,8 @@ export async function useLesson({ browser, open, check }) {
         const shown = await show(page, options);
         check(`the lesson's numbers and pixels are those of pinhole-sim: ${options}`, [...compareTool(shown), ...compareCross(shown), ...same(new URLSearchParams(shown.hash.slice(1)).toString(), new URLSearchParams(`tab=lesson&${options}`).toString(), 'address')]);
     }
+    const beside = await show(page, STATES[0].replace('point=1,2,-1', 'point=1,0,5'));
+    check('a vertex beside the eye is told, and the picture is drawn', [...compareTool(beside), ...(/^--point: .* w is 0/.test(beside.said) && !beside.command.includes('--point') ? [] : [beside.said, beside.command])]);
     check('a fisheye is drawn, and so is its depth buffer', compareTool(await show(page, 'demo=cube&size=96x96&projection=fisheye&fov=170&camera=eye=0,0,0,target=0,0,-3&point=1,1,-2&show=depth')));
     await conventions(page, check, STATES[0], 'a perspective');
     await wrongMatrix(page, check);
@@ -138,6 +140,20 @@ async function sources(page, check, folder) {
         const must = numbers.filter((line) => /^(view|projection)\.\d\.\d/.test(line)).map((line) => line.replace(/: (.*)/, (_, number) => ` ${Math.round(number * 65536)}`));
         check(`the lines of C make the camera of ${options}`, [...(made.status === 0 ? [] : [made.stderr]), ...same(printed.sort(), must.sort(), 'matrices'), ...same(said, '', 'said')]);
     }
+}
+
+// A world of the other hand: back to a camera the picture is the same, and a vertex is dragged in its object's coordinates.
+async function hands(page, check) {
+    const left = await show(page, 'demo=cube&size=96x64&convention=d3d&fov=90&near=1&far=9&view-matrix=1,0,0,-0.5,0,1,0,-1,0,0,1,2,0,0,0,1&anyway=on&object=1,0,0&point=0,0,-1');
+    await page.click('#lesson-view-back');
+    const back = await page.evaluate(readLesson);
+    check('a left-handed world has a camera with the same picture', [...compareTool(left), ...compareTool(back), ...same(back.crc, left.crc, 'crc32'), ...(back.command.includes('--camera') ? [] : [back.command])]);
+    const place = ({ numbers }) => numbers.filter((line) => /^(object|world)\.[xyz]: /.test(line)).map((line) => line.split(' ')[2]);
+    const before = place(await show(page, 'demo=cube&size=96x64&camera=eye=0,0,5&object=1,0,0,target=2,0,0&point=0,0,2'));
+    await page.focus('[data-handle=point]');
+    await page.keyboard.press('ArrowRight');
+    const after = place(await page.evaluate(readLesson)), moved = after.map((number, i) => Math.round((number - before[i]) * 1000) / 1000);
+    check('a vertex of an object is moved in the world', same(moved, '0,0,0.125,0.125,0,0', 'moved'));
 }
 
 async function moves(page, check) {
@@ -255,6 +271,7 @@ async function looks({ browser, open, check, folder }) {
 export async function useLessonMore(test) {
     const { browser, open, check, folder } = test, page = await open(browser);
     await sources(page, check, folder);
+    await hands(page, check);
     await moves(page, check);
     await speed(page, check);
     await conventions(page, check, STATES[1], 'in parallel');
