@@ -79,12 +79,11 @@ export function makeLessonWorld(element, moved) {
             return;
         }
         context.beginPath();
-        [[0, 1], [1, 3], [3, 2], [2, 0]].forEach(([a, b], i) => {
-            const place = placed(corners[a]), seen = place && camera.project(place);
+        [0, 1, 3, 2].forEach((corner, i) => {
+            const place = placed(corners[corner]), seen = place && camera.project(place);
             if (seen) {
                 context[i === 0 ? 'moveTo' : 'lineTo'](seen[0], seen[1]);
             }
-            return b;
         });
         context.fillStyle = colours.near;
         context.globalAlpha = 0.18;
