@@ -2,9 +2,9 @@
  * Panels whose controllers follow MIPI DBI type C option 3 (4-line serial) and the MIPI command set.
  *
  * Section numbers are those of the datasheets ST7789V/VW (Sitronix, v1.0), GC9A01A (GalaxyCore, v1.0),
- * ILI9341 (Ilitek, v1.11), ILI9488 (Ilitek, v1.00), ST7735S (Sitronix, v1.4). Voltages and gamma depend on the glass;
- * the values are the ones that makers of modules publish. host-sim/controllers/dbi_table.c says of each command which
- * bits it has and what they do.
+ * ILI9341 (Ilitek, v1.11), ILI9488 (Ilitek, v1.00), ST7735S (Sitronix, v1.4), ST7796S (Sitronix, v1.2). Voltages and
+ * gamma depend on the glass; the values are the ones that makers of modules publish. host-sim/controllers/dbi_table.c
+ * says of each command which bits it has and what they do.
  *
  * SWRESET stands first for kits whose reset line is not wired; after it and after SLPOUT 120 ms (ST7789V 9.1.2, 9.1.12;
  * the others likewise). DISPON is not here: it comes after the first frame.
@@ -72,6 +72,13 @@ static const struct panel_controller st7735s = {
     .write_hz = 15151515, /* 8.4 TSCYCW 66 ns */
     DBI_COMMANDS,
     .format_value = {[PANEL_RGB565] = 0x05, [PANEL_RGB666] = 0x06, [PANEL_RGB444] = 0x03}, /* 10.1.32 */
+};
+
+static const struct panel_controller st7796 = {
+    .name = "ST7796S",
+    .write_hz = 15151515, /* 7.4.3 TSCYCW 66 ns */
+    DBI_COMMANDS,
+    .format_value = {[PANEL_RGB565] = 0x55, [PANEL_RGB666] = 0x66}, /* 9.2.32; 8.4.2.3: serial takes no 12 bits */
 };
 
 #define FORMATS_ALL   (PANEL_FORMAT_BIT(PANEL_RGB565) | PANEL_FORMAT_BIT(PANEL_RGB666) | PANEL_FORMAT_BIT(PANEL_RGB444))
@@ -252,6 +259,37 @@ const struct panel panel_ili9488_320x480 = {
     .rotation_base = MX | BGR,
     .formats = PANEL_FORMAT_BIT(PANEL_RGB666),
     INIT(ili9488_init),
+};
+
+/* ---- ST7796S ------------------------------------------------------------------------------------ */
+
+/* clang-format off */
+static const uint8_t st7796_init[] = {
+    WAKE_UP,                                                  /* 9.2.2 SWRESET, 9.2.13 SLPOUT */
+    0xF0, 1, 0xC3, 0xF0, 1, 0x96,                             /* 9.3.23 CSCON: command 2, parts I and II */
+    0xB4, 1, 0x01,                                            /* 9.3.5 DIC: 1-dot inversion */
+    0xB6, 3, 0x80, 0x02, 0x3B,                                /* 9.3.7 DFC: GS and SS 0, 480 lines */
+    0xB7, 1, 0x86,                                            /* 9.3.8 EM: EPF 10, as of an ST7789; 00 after reset */
+    0xE8, 8, 0x40, 0x8A, 0x00, 0x00, 0x29, 0x19, 0xA5, 0x33,  /* 9.3.22 DOCA: gates from 26 to 38 clocks, G_EQ */
+    0xC1, 1, 0x06,                                            /* 9.3.10 PWR2: GVDD 3.85 V + VCOM */
+    0xC2, 1, 0x07,                                            /* 9.3.11 PWR3: source low, gamma high */
+    0xC5, 1, 0x18,                                            /* 9.3.12 VCMPCTL: VCOM 0.9 V */
+    0xE0, 14, 0xF0, 0x09, 0x0B, 0x06, 0x04, 0x15, 0x2F, 0x54, 0x42, 0x3C, 0x17, 0x14, 0x18, 0x1B, /* 9.3.18 PGC */
+    0xE1, 14, 0xE0, 0x09, 0x0B, 0x06, 0x04, 0x03, 0x2B, 0x43, 0x42, 0x3B, 0x16, 0x14, 0x17, 0x1B, /* 9.3.19 NGC */
+    0x20, 0,                                                  /* 9.2.16 INVOFF: TN glass */
+};
+/* clang-format on */
+
+const struct panel panel_st7796_320x480 = {
+    .name = "st7796-320x480",
+    .controller = &st7796,
+    .width = 320,
+    .height = 480,
+    .ram_width = 320,
+    .ram_height = 480,
+    .rotation_base = MX | BGR,
+    .formats = FORMATS_16_18,
+    INIT(st7796_init),
 };
 
 /* ---- ST7735S: 132 x 162 memory, or 132 x 132 (pins GM2..0, 7 "pin description") ----------------- */

@@ -28,7 +28,7 @@ static const struct sim_command common[] = {
         {1, 1, 0x01, 0x00, 0x01, SIM_UNUSED,  "M: which blanking the TE pin tells"})},
 };
 
-/* All five controllers have these bits. ML and MH turn the order of refreshing, which turns no picture. */
+/* All controllers here have these bits. ML and MH turn the order of refreshing, which turns no picture. */
 #define MADCTL(name)                                                                                                   \
     {0x36, 1, 1, false, name, FIELDS(                                                                                  \
         {1, 1, 0xE0, 0x00, 0xE0, SIM_SHOWN,   "MY MX MV: the way of the address"},                                     \
@@ -40,8 +40,9 @@ static const struct sim_command common[] = {
 /* Sections of ST7789V's data sheet, v1.3. That of ST7789VW, v1.0, which hal/panel cites, has two more registers before
  * LCMCTRL. */
 
-/* 9.2.24, 9.2.25: each voltage V0 .. V63 of the curve, and J0, J1, which bend it. */
-#define ST7789_GAMMA                                                                                                   \
+/* ST7789V 9.2.24 and 9.2.25, ST7796S 9.3.18 and 9.3.19: each voltage V0 .. V63 of the curve, and J0, J1, which bend
+ * it. */
+#define SITRONIX_GAMMA                                                                                                   \
         {1,  1,  0xFF, 0x00, 0xFF, SIM_VOLTAGE, "V63 V0"},                                                             \
         {2,  3,  0x3F, 0x00, 0x3F, SIM_VOLTAGE, "V1, V2"},                                                             \
         {4,  5,  0x1F, 0x00, 0x1F, SIM_VOLTAGE, "V4, V6"},                                                             \
@@ -101,8 +102,8 @@ static const struct sim_command st7789[] = {
         {2, 2, 0xC0, 0x00, 0x80, SIM_VOLTAGE, "AVDD: 6.4 .. 6.8 V"},
         {2, 2, 0x30, 0x00, 0x30, SIM_VOLTAGE, "AVCL: -4.4 .. -5 V"},
         {2, 2, 0x03, 0x00, 0x03, SIM_VOLTAGE, "VDS: 2.19 .. 2.51 V"})},
-    {0xE0, 14, 14, false, "PVGAMCTRL 9.2.24", FIELDS(ST7789_GAMMA)},
-    {0xE1, 14, 14, false, "NVGAMCTRL 9.2.25", FIELDS(ST7789_GAMMA)},
+    {0xE0, 14, 14, false, "PVGAMCTRL 9.2.24", FIELDS(SITRONIX_GAMMA)},
+    {0xE1, 14, 14, false, "NVGAMCTRL 9.2.25", FIELDS(SITRONIX_GAMMA)},
     {0xE4, 3, 3, false, "GATECTRL 9.2.28", FIELDS(
         {1, 1, 0x3F, 0x00, 0x27, SIM_SHOWN,   "NL: 8 (n + 1) lines are driven"},
         {2, 2, 0x3F, 0x00, 0x00, SIM_FIXED,   "SCN: the first line; the model follows no other"},
@@ -284,6 +285,82 @@ static const struct sim_command ili9488[] = {
     {0xF7, 4, 4, false, "adjust control 3, 5.3",      BYTES(0xA9, 0x51, 0x2C, 0x82)},
 };
 
+/* ---- ST7796S ------------------------------------------------------------------------------------ */
+
+/*
+ * "Command table 2" (9.3) is locked after reset: F0h C3h opens its part I, F0h 96h its part II, F0h 3Ch and 69h close
+ * them. The data sheet does not say which part has which command, so the model wants both. Commands that program the
+ * chip's NVM (D0h, D1h) are not here, nor the digital gamma (E2h, E3h).
+ */
+static const struct sim_command st7796[] = {
+    MADCTL("MADCTL 9.2.28"),
+    {0x3A, 1, 1, false, "COLMOD 9.2.32", FIELDS(
+        {1, 1, 0x70, 0x50, 0x60, SIM_UNUSED,  "format of the RGB interface"},
+        {1, 1, 0x07, 0x05, 0x06, SIM_SHOWN,   "format: 16 or 18 bits a pixel (8.4.2.3)"})},
+    {0x3C, SIM_PIXELS, SIM_PIXELS, false, "WRMEMC 9.2.33", BARE},
+    {0xB0, 1, 1, true, "IFMODE 9.3.1", FIELDS(
+        {1, 1, 0x80, 0x00, 0x80, SIM_UNUSED,  "SPI_EN: the line of data back"},
+        {1, 1, 0x0F, 0x00, 0x0F, SIM_UNUSED,  "VSCP HSCP PKP DEP: polarities of the RGB interface"})},
+    {0xB1, 2, 2, true, "FRMCTR1 9.3.2", FIELDS(
+        {1, 1, 0xF0, 0x00, 0xF0, SIM_TIMING,  "FRS: frame rate"},
+        {1, 1, 0x03, 0x00, 0x03, SIM_TIMING,  "DIVA: clock divided by 1 .. 8"},
+        {2, 2, 0x1F, 0x00, 0x1F, SIM_TIMING,  "RTNA: length of a line"})},
+    {0xB2, 2, 2, true, "FRMCTR2 9.3.3", FIELDS(
+        {2, 2, 0x1F, 0x00, 0x1F, SIM_UNUSED,  "RTNB: idle mode"})},
+    {0xB3, 2, 2, true, "FRMCTR3 9.3.4", FIELDS(
+        {2, 2, 0x1F, 0x00, 0x1F, SIM_UNUSED,  "RTNC: partial mode"})},
+    {0xB4, 1, 1, true, "DIC 9.3.5", FIELDS(
+        {1, 1, 0x03, 0x00, 0x02, SIM_TIMING,  "DINV: polarity by columns, by 1 or by 2 dots"})},
+    {0xB5, 4, 4, true, "BPC 9.3.6", FIELDS(
+        {1, 2, 0xFF, 0x02, 0xFF, SIM_TIMING,  "VFP, VBP: porches of 2 lines or more"},
+        {4, 4, 0xFF, 0x02, 0xFF, SIM_UNUSED,  "HBP: porch of the RGB interface"})},
+    {0xB6, 3, 3, true, "DFC 9.3.7", FIELDS(
+        {1, 1, 0xC0, 0x00, 0xC0, SIM_UNUSED,  "BYPASS RCM: for the RGB interface"},
+        {1, 1, 0x20, 0x00, 0x00, SIM_FIXED,   "RM: memory by this interface"},
+        {1, 1, 0x04, 0x00, 0x00, SIM_FIXED,   "PTG: x1 is prohibited"},
+        {1, 1, 0x08, 0x00, 0x08, SIM_UNUSED,  "PTG: scan of the area that partial mode leaves out"},
+        {1, 1, 0x03, 0x00, 0x01, SIM_UNUSED,  "PT: output in that area"},
+        {2, 2, 0x40, 0x00, 0x40, SIM_SHOWN,   "GS: lines from the last one"},
+        {2, 2, 0x20, 0x00, 0x20, SIM_SHOWN,   "SS: columns from the last one"},
+        {2, 2, 0x10, 0x00, 0x00, SIM_FIXED,   "SM: as the glass is bonded"},
+        {2, 2, 0x0F, 0x00, 0x0F, SIM_UNUSED,  "ISC: interval of PTG's scan"},
+        {3, 3, 0x3F, 0x00, 0x3B, SIM_SHOWN,   "NL: 8 (n + 1) lines are driven"})},
+    {0xB7, 1, 1, true, "EM 9.3.8", FIELDS(
+        {1, 1, 0xC0, 0x00, 0xC0, SIM_SHOWN,   "EPF: lowest bit of red and blue"},
+        {1, 1, 0x08, 0x00, 0x00, SIM_FIXED,   "DSTB: no deep standby"},
+        {1, 1, 0x06, 0x06, 0x06, SIM_FIXED,   "GON DTE: gates as in normal display"})},
+    {0xC0, 2, 2, true, "PWR1 9.3.9", FIELDS(
+        {1, 1, 0xC0, 0x00, 0xC0, SIM_VOLTAGE, "AVDDS: 6.2 .. 6.8 V"},
+        {1, 1, 0x30, 0x00, 0x30, SIM_VOLTAGE, "AVCLS: -4.4 V and less"},
+        {2, 2, 0x70, 0x00, 0x70, SIM_VOLTAGE, "VGHS: 12.5 .. 15.5 V"},
+        {2, 2, 0x07, 0x00, 0x07, SIM_VOLTAGE, "VGLS: -7.2 .. -12.5 V"})},
+    {0xC1, 1, 1, true, "PWR2 9.3.10", FIELDS(
+        {1, 1, 0x7F, 0x00, 0x27, SIM_VOLTAGE, "VRH: 3.55 V + 50 mV n; 28h and more are reserved"})},
+    {0xC2, 1, 1, true, "PWR3 9.3.11", FIELDS(
+        {1, 1, 0x0C, 0x04, 0x0C, SIM_VOLTAGE, "SOP: current of the source; 0 is no operation"},
+        {1, 1, 0x03, 0x01, 0x03, SIM_VOLTAGE, "GOP: current of the gamma; 0 is no operation"})},
+    {0xC5, 1, 1, true, "VCMPCTL 9.3.12", FIELDS(
+        {1, 1, 0x3F, 0x00, 0x3F, SIM_VOLTAGE, "VCMP: 0.3 V + 25 mV n"})},
+    {0xC6, 1, 1, true, "VCM offset 9.3.13", FIELDS(
+        {1, 1, 0xBF, 0x00, 0xBF, SIM_VOLTAGE, "VMFSEL, VMF_REG: offset of VCMP"})},
+    {0xE0, 14, 14, true, "PGC 9.3.18", FIELDS(SITRONIX_GAMMA)},
+    {0xE1, 14, 14, true, "NGC 9.3.19", FIELDS(SITRONIX_GAMMA)},
+    {0xE8, 8, 8, true, "DOCA 9.3.22", FIELDS(
+        {1, 1, 0xFF, 0x40, 0x40, SIM_FIXED,   "40h"},
+        {2, 2, 0xFF, 0x8A, 0x8A, SIM_FIXED,   "8Ah"},
+        {3, 4, 0xFF, 0x00, 0x00, SIM_FIXED,   "00h"},
+        {5, 5, 0xF0, 0x20, 0x20, SIM_FIXED,   "0010"},
+        {5, 5, 0x0F, 0x00, 0x0F, SIM_TIMING,  "S_END: equalizing of the source"},
+        {6, 6, 0x3F, 0x00, 0x3F, SIM_TIMING,  "G_START: gate from"},
+        {7, 7, 0x80, 0x00, 0x80, SIM_TIMING,  "G_EQ: equalizing of the gates"},
+        {7, 7, 0x3F, 0x00, 0x3F, SIM_TIMING,  "G_END: gate to"},
+        {8, 8, 0xFF, 0x33, 0x33, SIM_FIXED,   "33h"})},
+    {0xF0, 1, 1, false, "CSCON 9.3.23", FIELDS( /* C3h, 96h, 3Ch, 69h; see command_set() in sim_dbi.c */
+        {1, 1, 0xFF, 0x3C, 0xC3, SIM_SHOWN,   "opens and closes command table 2"})},
+    {0xFB, 1, 1, true, "SPIRC 9.3.24", FIELDS(
+        {1, 1, 0x1F, 0x00, 0x1F, SIM_UNUSED,  "SPI_REN SPI_CNT: reading back"})},
+};
+
 /* ---- ST7735S ------------------------------------------------------------------------------------ */
 
 /* Red, green and blue of 4, 5 and 6 bits become 6 by a table (9.18) that RGBSET would fill. No driver is known that
@@ -346,4 +423,5 @@ const struct sim_table sim_table_st7789 = {"ST7789V, Sitronix, v1.3", LIST(st778
 const struct sim_table sim_table_gc9a01 = {"GC9A01A, GalaxyCore, v1.0", LIST(gc9a01), WAITS(5, 120)};
 const struct sim_table sim_table_ili9341 = {"ILI9341, Ilitek, v1.11", LIST(ili9341), WAITS(5, 120)};
 const struct sim_table sim_table_ili9488 = {"ILI9488, Ilitek, v1.00", LIST(ili9488), WAITS(5, 120)};
+const struct sim_table sim_table_st7796 = {"ST7796S, Sitronix, v1.2", LIST(st7796), WAITS(5, 120)};
 const struct sim_table sim_table_st7735s = {"ST7735S, Sitronix, v1.1", LIST(st7735s), WAITS(120, 120)};

@@ -1,7 +1,7 @@
 /*
- * Model of the controllers with MIPI DBI type C option 3: ST7789, GC9A01, ILI9341, ILI9488, ST7735S. They share the
- * commands of the MIPI display command set; each has its own list of further ones (dbi_table.c), of formats, and its
- * own memory. What is SIM_SHOWN in the tables is followed here.
+ * Model of the controllers with MIPI DBI type C option 3: ST7789, GC9A01, ILI9341, ILI9488, ST7796S, ST7735S. They
+ * share the commands of the MIPI display command set; each has its own list of further ones (dbi_table.c), of formats,
+ * and its own memory. What is SIM_SHOWN in the tables is followed here.
  */
 #include "sim_model.h"
 
@@ -23,16 +23,20 @@ enum {
     MADCTL = 0x36,
     COLMOD = 0x3A,
     RAMCTRL = 0xB0,  /* ST7789 */
-    DISCTRL = 0xB6,  /* ILI9341, ILI9488, GC9A01 */
+    DISCTRL = 0xB6,  /* ILI9341, ILI9488, GC9A01, ST7796S */
+    EM = 0xB7,       /* ST7796S */
     LCMCTRL = 0xC0,  /* ST7789 */
     GATECTRL = 0xE4, /* ST7789 */
     UNLOCK1 = 0xFE,  /* GC9A01 */
     UNLOCK2 = 0xEF,  /* GC9A01 */
+    CSCON = 0xF0,    /* ST7796S */
 };
 
 #define MS 1000000ULL
 
-enum { EPF_ZERO, EPF_ONE, EPF_MSB, EPF_GREEN }; /* ST7789V 9.2.1 */
+enum { EPF_ZERO, EPF_ONE, EPF_MSB, EPF_GREEN }; /* ST7789V 9.2.1, ST7796S 9.3.8 */
+
+enum { UNLOCKED = 3 };
 
 #define LCM_AT_RESET 0x2C /* ST7789V 9.2.10 */
 
@@ -43,14 +47,16 @@ struct dbi_kind {
     uint8_t formats; /* bit n: COLMOD low bits may be n (1: 3, 3: 12, 5: 16, 6: 18 bits a pixel) */
     uint8_t format_at_reset;
     uint8_t epf_at_reset;
+    const char *unlock; /* what opens the registers that are locked after reset; NULL: there are none */
 };
 
 static const struct dbi_kind kinds[] = {
-    {&sim_model_st7789, &sim_table_st7789, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_GREEN},
-    {&sim_model_gc9a01, &sim_table_gc9a01, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_MSB},
-    {&sim_model_ili9341, &sim_table_ili9341, 1 << 5 | 1 << 6, 6, EPF_MSB},
-    {&sim_model_ili9488, &sim_table_ili9488, 1 << 1 | 1 << 6, 6, EPF_MSB},
-    {&sim_model_st7735s, &sim_table_st7735s, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_MSB},
+    {&sim_model_st7789, &sim_table_st7789, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_GREEN, NULL},
+    {&sim_model_gc9a01, &sim_table_gc9a01, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_MSB, "FEh and EFh"},
+    {&sim_model_ili9341, &sim_table_ili9341, 1 << 5 | 1 << 6, 6, EPF_MSB, NULL},
+    {&sim_model_ili9488, &sim_table_ili9488, 1 << 1 | 1 << 6, 6, EPF_MSB, NULL},
+    {&sim_model_st7796, &sim_table_st7796, 1 << 5 | 1 << 6, 6, EPF_ZERO, "F0h C3h and F0h 96h"},
+    {&sim_model_st7735s, &sim_table_st7735s, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_MSB, NULL},
 };
 
 static const struct dbi_kind *kind_of(const struct sim *sim)
@@ -251,10 +257,34 @@ static void software_reset(struct sim *sim)
 
 /* Unlocks registers of a GC9A01 (6.5): FEh and EFh one after the other open those of levels 2 and 3 until the next
  * reset. */
-static void unlock(struct sim_dbi *d, uint8_t code)
+static void unlock(struct sim *sim, uint8_t code)
 {
-    if (d->unlock != 2) {
-        d->unlock = code == UNLOCK1 ? 1 : code == UNLOCK2 && d->unlock == 1 ? 2 : 0;
+    struct sim_dbi *d = &sim->u.dbi;
+    if (kind_of(sim)->table == &sim_table_gc9a01 && d->unlock != UNLOCKED) {
+        d->unlock = code == UNLOCK1 ? 1 : code == UNLOCK2 && d->unlock == 1 ? UNLOCKED : 0;
+    }
+}
+
+/* CSCON of an ST7796S (9.3.23) opens or closes a part of command table 2. */
+static void command_set(struct sim *sim, uint8_t value)
+{
+    struct sim_dbi *d = &sim->u.dbi;
+    switch (value) {
+    case 0xC3:
+        d->unlock |= 1;
+        break;
+    case 0x96:
+        d->unlock |= 2;
+        break;
+    case 0x3C:
+        d->unlock &= ~1U;
+        break;
+    case 0x69:
+        d->unlock &= ~2U;
+        break;
+    default:
+        sim_complain(sim, SIM_BAD_PARAMETER, "F0h CSCON: %02Xh is none of C3h, 96h, 3Ch, 69h", value);
+        break;
     }
 }
 
@@ -332,6 +362,10 @@ static void finish_own(struct sim *sim)
     } else if (table == &sim_table_st7789 && d->code == RAMCTRL) {
         d->epf = p[1] >> 4 & 3;
         d->low_byte_first = (p[1] & 8) != 0;
+    } else if (table == &sim_table_st7796 && d->code == EM) {
+        d->epf = p[0] >> 6;
+    } else if (table == &sim_table_st7796 && d->code == CSCON) {
+        command_set(sim, p[0]);
     } else if (table == &sim_table_st7789 && d->code == LCMCTRL) {
         d->lcm = p[0] ^ LCM_AT_RESET;
     } else if (table == &sim_table_st7789 && d->code == GATECTRL) {
@@ -398,7 +432,7 @@ static void take_command(struct sim *sim, uint8_t code)
     check_wait(sim, code);
     const struct sim_command *command = sim_table_find(&sim_table_dbi, code);
     command = command != NULL ? command : sim_table_find(kind_of(sim)->table, code);
-    unlock(d, code);
+    unlock(sim, code);
     if (command == NULL) {
         sim_complain(sim, SIM_UNKNOWN_COMMAND, "command %02Xh is not known", code);
     } else {
@@ -410,9 +444,9 @@ static void take_command(struct sim *sim, uint8_t code)
     d->parameter_count = 0;
     d->bits = 0;
     d->bit_count = 0;
-    d->refused = command != NULL && command->needs_unlock && d->unlock != 2;
+    d->refused = command != NULL && command->needs_unlock && d->unlock != UNLOCKED;
     if (d->refused) {
-        sim_complain(sim, SIM_BAD_PARAMETER, "%02Xh %s before FEh and EFh", code, command->name);
+        sim_complain(sim, SIM_BAD_PARAMETER, "%02Xh %s before %s", code, command->name, kind_of(sim)->unlock);
     }
 }
 
@@ -515,4 +549,5 @@ const struct sim_model sim_model_st7789 = DBI_MODEL("ST7789", 62500000);
 const struct sim_model sim_model_gc9a01 = DBI_MODEL("GC9A01", 100000000);
 const struct sim_model sim_model_ili9341 = DBI_MODEL("ILI9341", 10000000);
 const struct sim_model sim_model_ili9488 = DBI_MODEL("ILI9488", 20000000);
+const struct sim_model sim_model_st7796 = DBI_MODEL("ST7796S", 15151515);
 const struct sim_model sim_model_st7735s = DBI_MODEL("ST7735S", 15151515);

@@ -93,31 +93,36 @@ static void draw_colours(struct kit *kit)
 {
     for (unsigned r = 0; r < 32; r++) {
         for (unsigned g = 0; g < 64; g++) {
-            picture[r * 240 + g] = swapped(r << 11 | g << 5 | (31 - r));
+            picture[r * kit->driver.width + g] = swapped(r << 11 | g << 5 | (31 - r));
         }
     }
     assert_int_equal(picture_draw(&kit->driver, picture, 16), 0);
 }
 
-/* ST7789V v1.3, 9.2.1: R0 and B0 are 0; 1; R5 and B5; G0. */
+/* ST7789V v1.3, 9.2.1, and ST7796S v1.2, 9.3.8: R0 and B0 are 0; 1; R5 and B5; G0. */
 static unsigned lowest_bit(unsigned epf, unsigned five, unsigned green)
 {
     const unsigned bits[] = {0, 1, five / 16, green % 2};
     return bits[epf];
 }
 
-static void each_epf_fills_red_and_blue_as_the_data_sheet_draws_it(void **state)
+static void each_epf_fills_red_and_blue_as_the_data_sheets_draw_it(void **state)
 {
     (void)state;
-    for (unsigned epf = 0; epf < 4; epf++) {
+    for (unsigned i = 0; i < 8; i++) {
+        const unsigned epf = i % 4;
         struct kit kit;
-        kit_open(&kit, &panel_st7789_240x240);
-        SEND(&kit, 0xB0, 0x00, (uint8_t)(0xC0 | epf << 4));
+        kit_open(&kit, i < 4 ? &panel_st7789_240x240 : &panel_st7796_320x480);
+        if (i < 4) {
+            SEND(&kit, 0xB0, 0x00, (uint8_t)(0xC0 | epf << 4));
+        } else {
+            SEND(&kit, 0xB7, (uint8_t)(epf << 6 | 6));
+        }
         draw_colours(&kit);
         look(&kit, seen);
         for (unsigned r = 0; r < 32; r++) {
             for (unsigned g = 0; g < 64; g++) {
-                const uint8_t *p = seen + 3 * (r * 240 + g);
+                const uint8_t *p = seen + 3 * (r * kit.driver.width + g);
                 const unsigned b = 31 - r;
                 assert_int_equal(level(p[0]), 2 * r + lowest_bit(epf, r, g));
                 assert_int_equal(level(p[1]), g);
@@ -322,6 +327,12 @@ static void display_function_control_is_followed(void **state)
     assert_int_equal(at(&kit, 7, 472), 0);
     assert_memory_equal(seen, other, 3 * 320 * 472);
     sim_close(kit.bus.sim);
+    REDRAW(&kit, &panel_st7796_320x480, 0xB6, 0x80, 0x62, 0x3B);
+    expect_mirrored(&kit, true, true);
+    REDRAW(&kit, &panel_st7796_320x480, 0xB6, 0x80, 0x02, 0x3A);
+    assert_int_equal(at(&kit, 7, 472), 0);
+    assert_memory_equal(seen, other, 3 * 320 * 472);
+    sim_close(kit.bus.sim);
     REDRAW(&kit, &panel_gc9a01_240x240, 0xB6, 0x00, 0x60);
     expect_mirrored(&kit, true, true);
 }
@@ -408,6 +419,19 @@ static const struct wrong {
     WRONG(panel_ili9488_320x480, 0xB6, 0x22, 0x02, 0x3B),             /* the RGB interface */
     WRONG(panel_ili9488_320x480, 0xB6, 0x02, 0x02, 0x3C),             /* NL: 480 lines at most */
     WRONG(panel_ili9488_320x480, 0xF7, 0xA9, 0x51, 0x2C, 0x02),
+    WRONG(panel_st7796_320x480, 0x3A, 0x53),                   /* 12 bits a pixel */
+    WRONG(panel_st7796_320x480, 0xB4, 0x03),                   /* DINV 11 is reserved */
+    WRONG(panel_st7796_320x480, 0xB5, 0x02, 0x01, 0x00, 0x04), /* VBP: at least 2 */
+    WRONG(panel_st7796_320x480, 0xB5, 0x02, 0x02, 0x01, 0x04), /* third byte */
+    WRONG(panel_st7796_320x480, 0xB6, 0xA0, 0x02, 0x3B),       /* RM: memory by the RGB interface */
+    WRONG(panel_st7796_320x480, 0xB6, 0x84, 0x02, 0x3B),       /* PTG 01 is prohibited */
+    WRONG(panel_st7796_320x480, 0xB6, 0x80, 0x02, 0x3C),       /* NL: 480 lines at most */
+    WRONG(panel_st7796_320x480, 0xB7, 0x8E),                   /* deep standby */
+    WRONG(panel_st7796_320x480, 0xB7, 0x82),                   /* GON 0: gates at VGH */
+    WRONG(panel_st7796_320x480, 0xC1, 0x28),                   /* VRH: 28h .. 3Fh are reserved */
+    WRONG(panel_st7796_320x480, 0xC2, 0x03),                   /* SOP 0: no operation */
+    WRONG(panel_st7796_320x480, 0xE8, 0x40, 0x8A, 0x00, 0x00, 0x39, 0x19, 0xA5, 0x33),
+    WRONG(panel_st7796_320x480, 0xF0, 0x97),              /* neither C3h, 96h, 3Ch nor 69h */
     WRONG(panel_st7735s_128x160, 0x36, 0x0A),             /* MADCTL D1 */
     WRONG(panel_st7735s_128x160, 0xB1, 0x01, 0x00, 0x2D), /* FPA: more than 0 */
     WRONG(panel_st7735s_128x160, 0xB4, 0x0F),             /* INVCTR D3 */
@@ -511,6 +535,27 @@ static void gc9a01_wants_its_registers_unlocked(void **state)
     sim_close(kit.bus.sim);
 }
 
+/* ST7796S v1.2, 9.3.23: C3h and 96h open a part of command table 2 each, 3Ch and 69h close it. */
+static void st7796_wants_both_parts_of_table_2_unlocked(void **state)
+{
+    static const struct {
+        uint8_t key;
+        bool open;
+    } keys[] = {{0x3C, false}, {0x69, false}, {0x96, false}, {0xC3, true}, {0x69, false},
+                {0x96, true},  {0x3C, false}, {0x96, false}, {0xC3, true}};
+    (void)state;
+    struct kit kit;
+    kit_open(&kit, &panel_st7796_320x480); /* opens both */
+    uint32_t refused = 0;
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        SEND(&kit, 0xF0, keys[i].key);
+        SEND(&kit, 0xB4, 0x01);
+        refused += !keys[i].open;
+        only(&kit.bus, SIM_BAD_PARAMETER, refused);
+    }
+    sim_close(kit.bus.sim);
+}
+
 /* ST7735S v1.1, 10.1.2, 10.1.11, 10.1.12: 120 ms to the next command, where the others want 5. */
 static void st7735s_wants_longer_waits(void **state)
 {
@@ -553,9 +598,10 @@ static const struct {
 } tables[] = {
     {&panel_st7789_240x240, &sim_table_st7789},   {&panel_gc9a01_240x240, &sim_table_gc9a01},
     {&panel_ili9341_240x320, &sim_table_ili9341}, {&panel_ili9488_320x480, &sim_table_ili9488},
-    {&panel_st7735s_128x160, &sim_table_st7735s}, {&panel_ssd1351_128x128, &sim_table_ssd1351},
-    {&panel_ssd0323_128x64, &sim_table_ssd0323},  {&panel_ssd1306_128x64, &sim_table_ssd1306},
-    {&panel_ssd1309_128x64, &sim_table_ssd1309},  {&panel_sh1106_128x64, &sim_table_sh1106},
+    {&panel_st7796_320x480, &sim_table_st7796},   {&panel_st7735s_128x160, &sim_table_st7735s},
+    {&panel_ssd1351_128x128, &sim_table_ssd1351}, {&panel_ssd0323_128x64, &sim_table_ssd0323},
+    {&panel_ssd1306_128x64, &sim_table_ssd1306},  {&panel_ssd1309_128x64, &sim_table_ssd1309},
+    {&panel_sh1106_128x64, &sim_table_sh1106},
 };
 
 /* Parameters that the table allows: the lowest value of each field, or the only ones. */
@@ -590,6 +636,11 @@ static bool is_tested_elsewhere(uint8_t code)
     return code == 0x15 || code == 0x75 || code == 0x3A || code == 0xFD;
 }
 
+static bool is_lock(const struct sim_table *table, uint8_t code)
+{
+    return table == &sim_table_st7796 && code == 0xF0;
+}
+
 static void try_field(const struct panel *panel, const struct sim_command *c, const struct sim_field *f,
                       unsigned number)
 {
@@ -613,7 +664,8 @@ static void shown_fields_change_the_picture_and_others_do_not(void **state)
     for (size_t t = 0; t < sizeof tables / sizeof tables[0]; t++) {
         for (size_t i = 0; i < tables[t].table->count; i++) {
             const struct sim_command *c = &tables[t].table->commands[i];
-            for (unsigned f = 0; f < c->field_count && !is_tested_elsewhere(c->code); f++) {
+            for (unsigned f = 0;
+                 f < c->field_count && !is_tested_elsewhere(c->code) && !is_lock(tables[t].table, c->code); f++) {
                 try_field(tables[t].panel, c, &c->fields[f], c->fields[f].first);
                 tried++;
             }
@@ -662,7 +714,8 @@ static void no_other_byte_is_accepted(void **state)
         kit_open(&kit, tables[t].panel);
         for (size_t i = 0; i < tables[t].table->count; i++) {
             const struct sim_command *c = &tables[t].table->commands[i];
-            if (c->most > 0 && c->most != SIM_PIXELS && !is_tested_elsewhere(c->code)) {
+            if (c->most > 0 && c->most != SIM_PIXELS && !is_tested_elsewhere(c->code) &&
+                !is_lock(tables[t].table, c->code)) {
                 refused += try_bytes(tables[t].panel, c, &kit);
             }
         }
@@ -674,7 +727,7 @@ static void no_other_byte_is_accepted(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_epf_fills_red_and_blue_as_the_data_sheet_draws_it),
+        cmocka_unit_test(each_epf_fills_red_and_blue_as_the_data_sheets_draw_it),
         cmocka_unit_test(colours_are_seen_as_they_were_sent),
         cmocka_unit_test(every_level_of_the_glass_has_one_value),
         cmocka_unit_test(f0_tints_a_part_of_turntable_and_nearly_all_of_ground),
@@ -685,6 +738,7 @@ int main(void)
         cmocka_unit_test(wrong_commands_are_refused_and_have_no_effect),
         cmocka_unit_test(twelve_bits_a_pixel_want_the_epf_that_is_known),
         cmocka_unit_test(gc9a01_wants_its_registers_unlocked),
+        cmocka_unit_test(st7796_wants_both_parts_of_table_2_unlocked),
         cmocka_unit_test(st7735s_wants_longer_waits),
         cmocka_unit_test(swreset_does_not_come_while_the_panel_wakes),
         cmocka_unit_test(shown_fields_change_the_picture_and_others_do_not),

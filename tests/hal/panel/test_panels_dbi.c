@@ -18,9 +18,9 @@ static const struct {
     unsigned cycle_ns;
     uint8_t colmod[3];
 } sheets[] = {
-    {&panel_st7789_240x240, 16, {0x55, 0x66, 0x53}},  {&panel_gc9a01_240x240, 10, {0x55, 0x66, 0x53}},
-    {&panel_ili9341_240x320, 100, {0x55, 0x66, 0}},   {&panel_ili9488_320x480, 50, {0, 0x66, 0}},
-    {&panel_st7735s_128x128, 66, {0x05, 0x06, 0x03}},
+    {&panel_st7789_240x240, 16, {0x55, 0x66, 0x53}}, {&panel_gc9a01_240x240, 10, {0x55, 0x66, 0x53}},
+    {&panel_ili9341_240x320, 100, {0x55, 0x66, 0}},  {&panel_ili9488_320x480, 50, {0, 0x66, 0}},
+    {&panel_st7796_320x480, 66, {0x55, 0x66, 0}},    {&panel_st7735s_128x128, 66, {0x05, 0x06, 0x03}},
 };
 
 static void controllers_are_those_of_the_data_sheets(void **state)
@@ -85,8 +85,8 @@ static void the_display_goes_on_and_off_by_the_same_commands(void **state)
 /* IPS glasses show the complement of the memory, and are inverted: 21h, else 20h, as the last of the two. */
 static void ips_glass_is_inverted(void **state)
 {
-    static const struct panel *const tn[] = {&panel_ili9341_240x320, &panel_ili9488_320x480, &panel_st7735s_128x128,
-                                             &panel_st7735s_128x160};
+    static const struct panel *const tn[] = {&panel_ili9341_240x320, &panel_ili9488_320x480, &panel_st7796_320x480,
+                                             &panel_st7735s_128x128, &panel_st7735s_128x160};
     (void)state;
     for (uint32_t i = 0; i < panel_count; i++) {
         bool is_tn = false;
@@ -165,6 +165,28 @@ static void ili9488_has_its_lines(void **state)
     panel_step_of(p, 0xE1, 15);
 }
 
+/* ST7796S 9.3: F0h C3h and 96h open the other registers, so that they come first; VCOM = .3 + 25 mV n; GVDD over it
+ * 3.55 + 50 mV n. */
+static void st7796_is_unlocked_first_and_has_its_voltages(void **state)
+{
+    static const uint8_t keys[] = {0xC3, 0x96};
+    const struct panel *const p = &panel_st7796_320x480;
+    struct panel_step step = {0};
+    uint16_t at = 10; /* behind waking */
+    (void)state;
+    for (unsigned i = 0; i < 2; i++) {
+        assert_true(panel_step_next(p->init, p->init_bytes, &at, &step) && step.code == 0xF0 && step.count == 1);
+        assert_int_equal(step.parameters[0], keys[i]);
+    }
+    assert_int_equal((panel_step_of(p, 0xB6, 3)[2] + 1) * 8, p->height);
+    assert_int_equal(panel_step_of(p, 0xB6, 3)[1] & 0x60, 0); /* GS and SS */
+    assert_int_equal(panel_step_of(p, 0xB7, 1)[0] >> 6, 2);   /* EPF */
+    near_to(3.55 + .05 * panel_step_of(p, 0xC1, 1)[0], 3.85);
+    near_to(.3 + .025 * panel_step_of(p, 0xC5, 1)[0], .9);
+    panel_step_of(p, 0xE0, 14);
+    panel_step_of(p, 0xE1, 14);
+}
+
 /* ST7735S 10.2: AVDD = 4.5 + .1 n, GVDD = 4.7 - .05 n, VCOM = -.425 - 25 mV n; the same rate in every mode. */
 static void st7735s_has_its_voltages(void **state)
 {
@@ -191,7 +213,7 @@ static void st7735s_has_its_voltages(void **state)
 static void gc9a01_is_unlocked_first(void **state)
 {
     const struct panel *const p = &panel_gc9a01_240x240;
-    struct panel_step step;
+    struct panel_step step = {0};
     uint16_t at = 10; /* behind waking */
     (void)state;
     assert_true(panel_step_next(p->init, p->init_bytes, &at, &step) && step.code == 0xFE && step.count == 0);
@@ -212,6 +234,7 @@ int main(void)
         cmocka_unit_test(st7789_has_its_voltages_and_rate),
         cmocka_unit_test(ili9341_has_its_voltages_and_lines),
         cmocka_unit_test(ili9488_has_its_lines),
+        cmocka_unit_test(st7796_is_unlocked_first_and_has_its_voltages),
         cmocka_unit_test(st7735s_has_its_voltages),
         cmocka_unit_test(gc9a01_is_unlocked_first),
     };
