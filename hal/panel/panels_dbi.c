@@ -81,6 +81,13 @@ static const struct panel_controller st7796 = {
     .format_value = {[PANEL_RGB565] = 0x55, [PANEL_RGB666] = 0x66}, /* 9.2.32; 8.4.2.3: serial takes no 12 bits */
 };
 
+static const struct panel_controller hx8357d = {
+    .name = "HX8357D",
+    .write_hz = 15151515, /* a cycle of 66 ns; Adafruit names 16 MHz, and sets more */
+    DBI_COMMANDS,
+    .format_value = {[PANEL_RGB565] = 0x55, [PANEL_RGB666] = 0x66},
+};
+
 #define FORMATS_ALL   (PANEL_FORMAT_BIT(PANEL_RGB565) | PANEL_FORMAT_BIT(PANEL_RGB666) | PANEL_FORMAT_BIT(PANEL_RGB444))
 #define FORMATS_16_18 (PANEL_FORMAT_BIT(PANEL_RGB565) | PANEL_FORMAT_BIT(PANEL_RGB666))
 
@@ -290,6 +297,40 @@ const struct panel panel_st7796_320x480 = {
     .rotation_base = MX | BGR,
     .formats = FORMATS_16_18,
     INIT(st7796_init),
+};
+
+/* ---- HX8357D ------------------------------------------------------------------------------------ */
+
+/* Its own registers are those of Adafruit's Adafruit_CircuitPython_HX8357; see dbi_table.c. */
+/* clang-format off */
+static const uint8_t hx8357d_init[] = {
+    WAKE_UP,                                              /* SWRESET, SLPOUT */
+    0xB9, 3, 0xFF, 0x83, 0x57,                            /* SETEXTC: the commands from B0h on */
+    DELAY_MS(150),                                        /* as Linux' fb_hx8357d.c waits */
+    0xB3, 4, 0x00, 0x00, 0x06, 0x06,                      /* SETRGB: no data line back */
+    0xB6, 1, 0x25,                                        /* SETCOM: -1.52 V */
+    0xB0, 1, 0x68,                                        /* SETOSC: 70 Hz */
+    0xCC, 1, 0x05,                                        /* SETPANEL: BGR, lines from the last one */
+    0xB1, 6, 0x00, 0x15, 0x1C, 0x1C, 0x83, 0xAA,          /* SETPWR1 */
+    0xC0, 6, 0x50, 0x50, 0x01, 0x3C, 0x1E, 0x08,          /* SETSTBA */
+    0xB4, 7, 0x02, 0x40, 0x00, 0x2A, 0x2A, 0x0D, 0x78,    /* SETCYC */
+    0xE0, 34, 0x02, 0x0A, 0x11, 0x1D, 0x23, 0x35, 0x41, 0x4B, 0x4B, 0x42, 0x3A, 0x27, 0x1B, 0x08, 0x09, 0x03, 0x02,
+              0x0A, 0x11, 0x1D, 0x23, 0x35, 0x41, 0x4B, 0x4B, 0x42, 0x3A, 0x27, 0x1B, 0x08, 0x09, 0x03, 0x00, 0x01,
+                                                          /* SETGAMMA */
+    0x20, 0,                                              /* INVOFF */
+};
+/* clang-format on */
+
+const struct panel panel_hx8357d_320x480 = {
+    .name = "hx8357d-320x480",
+    .controller = &hx8357d,
+    .width = 320,
+    .height = 480,
+    .ram_width = 320,
+    .ram_height = 480,
+    .rotation_base = MX | MY,
+    .formats = FORMATS_16_18,
+    INIT(hx8357d_init),
 };
 
 /* ---- ST7735S: 132 x 162 memory, or 132 x 132 (pins GM2..0, 7 "pin description") ----------------- */

@@ -2,8 +2,8 @@
  * See sim_table.h. Controllers with MIPI DBI type C option 3, on the 4-line serial interface: every register below may
  * be written asleep and awake ("Register Availability" of each section).
  *
- * GC9A01's and ILI9488's registers for voltages and gamma are taken as fixed bytes, those that the makers of modules
- * publish.
+ * GC9A01's, ILI9488's and HX8357D's registers for voltages and gamma are taken as fixed bytes, those that the makers of
+ * modules publish.
  */
 #include "sim_rows.h"
 
@@ -361,6 +361,29 @@ static const struct sim_command st7796[] = {
         {1, 1, 0x1F, 0x00, 0x1F, SIM_UNUSED,  "SPI_REN SPI_CNT: reading back"})},
 };
 
+/* ---- HX8357D ------------------------------------------------------------------------------------ */
+
+/* SETEXTC opens the commands from B0h on. The bytes are those of Adafruit's Adafruit_HX8357.cpp, which says of SETPANEL
+ * that 05h exchanges red and blue and begins with the last line: without it the glass shows what is stored without
+ * that. */
+static const struct sim_command hx8357d[] = {
+    MADCTL("set_address_mode"),
+    {0x3A, 1, 1, false, "set_pixel_format", FIELDS(
+        {1, 1, 0x70, 0x00, 0x70, SIM_UNUSED,  "format of the RGB interface"},
+        {1, 1, 0x07, 0x05, 0x06, SIM_SHOWN,   "format: 16 or 18 bits a pixel"})},
+    {0x3C, SIM_PIXELS, SIM_PIXELS, false, "write_memory_continue", BARE},
+    {0xB0, 1, 1, true, "SETOSC",     BYTES(0x68)},
+    {0xB1, 6, 6, true, "SETPOWER",   BYTES(0x00, 0x15, 0x1C, 0x1C, 0x83, 0xAA)},
+    {0xB3, 4, 4, true, "SETRGB",     BYTES(0x00, 0x00, 0x06, 0x06)},
+    {0xB4, 7, 7, true, "SETCYC",     BYTES(0x02, 0x40, 0x00, 0x2A, 0x2A, 0x0D, 0x78)},
+    {0xB6, 1, 1, true, "SETCOM",     BYTES(0x25)},
+    {0xB9, 3, 3, false, "SETEXTC",   BYTES(0xFF, 0x83, 0x57)},
+    {0xC0, 6, 6, true, "SETSTBA",    BYTES(0x50, 0x50, 0x01, 0x3C, 0x1E, 0x08)},
+    {0xCC, 1, 1, true, "SETPANEL",   BYTES(0x05)},
+    {0xE0, 34, 34, true, "SETGAMMA", BYTES(0x02, 0x0A, 0x11, 0x1D, 0x23, 0x35, 0x41, 0x4B, 0x4B, 0x42, 0x3A, 0x27, 0x1B, 0x08,
+        0x09, 0x03, 0x02, 0x0A, 0x11, 0x1D, 0x23, 0x35, 0x41, 0x4B, 0x4B, 0x42, 0x3A, 0x27, 0x1B, 0x08, 0x09, 0x03, 0x00, 0x01)},
+};
+
 /* ---- ST7735S ------------------------------------------------------------------------------------ */
 
 /* Red, green and blue of 4, 5 and 6 bits become 6 by a table (9.18) that RGBSET would fill. No driver is known that
@@ -424,4 +447,5 @@ const struct sim_table sim_table_gc9a01 = {"GC9A01A, GalaxyCore, v1.0", LIST(gc9
 const struct sim_table sim_table_ili9341 = {"ILI9341, Ilitek, v1.11", LIST(ili9341), WAITS(5, 120)};
 const struct sim_table sim_table_ili9488 = {"ILI9488, Ilitek, v1.00", LIST(ili9488), WAITS(5, 120)};
 const struct sim_table sim_table_st7796 = {"ST7796S, Sitronix, v1.2", LIST(st7796), WAITS(5, 120)};
+const struct sim_table sim_table_hx8357d = {"HX8357D, Himax; Adafruit", LIST(hx8357d), WAITS(5, 120)};
 const struct sim_table sim_table_st7735s = {"ST7735S, Sitronix, v1.1", LIST(st7735s), WAITS(120, 120)};

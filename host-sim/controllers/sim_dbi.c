@@ -1,7 +1,7 @@
 /*
- * Model of the controllers with MIPI DBI type C option 3: ST7789, GC9A01, ILI9341, ILI9488, ST7796S, ST7735S. They
- * share the commands of the MIPI display command set; each has its own list of further ones (dbi_table.c), of formats,
- * and its own memory. What is SIM_SHOWN in the tables is followed here.
+ * Model of the controllers with MIPI DBI type C option 3: ST7789, GC9A01, ILI9341, ILI9488, ST7796S, HX8357D,
+ * ST7735S. They share the commands of the MIPI display command set; each has its own list of further ones
+ * (dbi_table.c), of formats, and its own memory. What is SIM_SHOWN in the tables is followed here.
  */
 #include "sim_model.h"
 
@@ -30,6 +30,8 @@ enum {
     UNLOCK1 = 0xFE,  /* GC9A01 */
     UNLOCK2 = 0xEF,  /* GC9A01 */
     CSCON = 0xF0,    /* ST7796S */
+    SETEXTC = 0xB9,  /* HX8357D */
+    SETPANEL = 0xCC, /* HX8357D */
 };
 
 #define MS 1000000ULL
@@ -56,6 +58,7 @@ static const struct dbi_kind kinds[] = {
     {&sim_model_ili9341, &sim_table_ili9341, 1 << 5 | 1 << 6, 6, EPF_MSB, NULL},
     {&sim_model_ili9488, &sim_table_ili9488, 1 << 1 | 1 << 6, 6, EPF_MSB, NULL},
     {&sim_model_st7796, &sim_table_st7796, 1 << 5 | 1 << 6, 6, EPF_ZERO, "F0h C3h and F0h 96h"},
+    {&sim_model_hx8357d, &sim_table_hx8357d, 1 << 5 | 1 << 6, 6, EPF_MSB, "B9h FFh 83h 57h"},
     {&sim_model_st7735s, &sim_table_st7735s, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_MSB, NULL},
 };
 
@@ -357,7 +360,11 @@ static void finish_own(struct sim *sim)
     struct sim_dbi *d = &sim->u.dbi;
     const uint8_t *p = d->parameters;
     const struct sim_table *table = kind_of(sim)->table;
-    if (d->code == DISCTRL) { /* ST7789 and ST7735S have none */
+    if (table == &sim_table_hx8357d) {
+        d->unlock = d->code == SETEXTC ? UNLOCKED : d->unlock;
+        d->scan = d->code == SETPANEL ? 0x40 : d->scan;
+        d->lcm = d->code == SETPANEL ? 0x20 : d->lcm;
+    } else if (d->code == DISCTRL) { /* ST7789 and ST7735S have none */
         display_function(sim);
     } else if (table == &sim_table_st7789 && d->code == RAMCTRL) {
         d->epf = p[1] >> 4 & 3;
@@ -550,4 +557,5 @@ const struct sim_model sim_model_gc9a01 = DBI_MODEL("GC9A01", 100000000);
 const struct sim_model sim_model_ili9341 = DBI_MODEL("ILI9341", 10000000);
 const struct sim_model sim_model_ili9488 = DBI_MODEL("ILI9488", 20000000);
 const struct sim_model sim_model_st7796 = DBI_MODEL("ST7796S", 15151515);
+const struct sim_model sim_model_hx8357d = DBI_MODEL("HX8357D", 15151515);
 const struct sim_model sim_model_st7735s = DBI_MODEL("ST7735S", 15151515);

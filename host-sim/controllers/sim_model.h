@@ -27,8 +27,8 @@ struct sim_model {
 };
 
 extern const struct sim_model sim_model_st7789, sim_model_gc9a01, sim_model_ili9341, sim_model_ili9488,
-    sim_model_st7796, sim_model_st7735s, sim_model_ssd1351, sim_model_ssd0323, sim_model_ssd1306, sim_model_ssd1309,
-    sim_model_sh1106;
+    sim_model_st7796, sim_model_hx8357d, sim_model_st7735s, sim_model_ssd1351, sim_model_ssd0323, sim_model_ssd1306,
+    sim_model_ssd1309, sim_model_sh1106;
 
 /* A glass: how it is bonded to its controller and which way its colours are. */
 struct sim_glass {
@@ -59,16 +59,17 @@ struct sim_dbi {
     uint8_t code;
     bool refused; /* a parameter of it; then it has no effect */
     uint32_t parameter_count;
-    uint8_t parameters[16];
+    uint8_t parameters[SIM_PARAMETERS_MAX];
     bool sleeping, on, inverted;
     uint8_t madctl, format;
     bool low_byte_first; /* ST7789 RAMCTRL */
     uint8_t epf;         /* ST7789 RAMCTRL, ST7796S EM: where the lowest bit of red and blue comes from */
-    uint8_t lcm;         /* ST7789 LCMCTRL: what it turns over against the way a glass is bonded */
-    uint8_t scan;        /* GS 40h, SS 20h of the display function control; ST7789: GS of GATECTRL */
+    uint8_t lcm;         /* ST7789 LCMCTRL, HX8357D SETPANEL: what it turns over against the way a glass is bonded */
+    uint8_t scan;        /* GS 40h, SS 20h of the display function control; ST7789: GS of GATECTRL; HX8357D: SETPANEL */
     bool black;          /* ILI9341 DISCTRL: driven as if the liquid crystal were normally black */
     uint16_t lines;      /* that are driven */
-    uint8_t unlock;      /* GC9A01: bit 0 after FEh, both after FEh EFh. ST7796S: parts I and II of command table 2 */
+    uint8_t unlock;      /* GC9A01: bit 0 after FEh, both after FEh EFh. ST7796S: parts I and II of command table 2;
+                            HX8357D: both after B9h */
     uint16_t x0, x1, y0, y1;
     uint16_t x, y;
     uint32_t left;   /* pixels until the window is full */

@@ -31,6 +31,8 @@ enum sim_complaint_kind {
     SIM_COMPLAINT_KINDS
 };
 
+#define SIM_PARAMETERS_MAX 34 /* of a command */
+
 #define SIM_COMPLAINTS_KEPT 32
 
 enum sim_fault {

@@ -432,6 +432,9 @@ static const struct wrong {
     WRONG(panel_st7796_320x480, 0xC2, 0x03),                   /* SOP 0: no operation */
     WRONG(panel_st7796_320x480, 0xE8, 0x40, 0x8A, 0x00, 0x00, 0x39, 0x19, 0xA5, 0x33),
     WRONG(panel_st7796_320x480, 0xF0, 0x97),              /* neither C3h, 96h, 3Ch nor 69h */
+    WRONG(panel_hx8357d_320x480, 0x3A, 0x53),             /* 12 bits a pixel */
+    WRONG(panel_hx8357d_320x480, 0xB9, 0xFF, 0x83, 0x58), /* another key */
+    WRONG(panel_hx8357d_320x480, 0xCC, 0x01),             /* SETPANEL: another scan than Adafruit's */
     WRONG(panel_st7735s_128x160, 0x36, 0x0A),             /* MADCTL D1 */
     WRONG(panel_st7735s_128x160, 0xB1, 0x01, 0x00, 0x2D), /* FPA: more than 0 */
     WRONG(panel_st7735s_128x160, 0xB4, 0x0F),             /* INVCTR D3 */
@@ -556,6 +559,30 @@ static void st7796_wants_both_parts_of_table_2_unlocked(void **state)
     sim_close(kit.bus.sim);
 }
 
+/* Adafruit_HX8357.cpp: SETEXTC before everything else, and SETPANEL 05h: red and blue, first and last line change
+ * places. */
+static void hx8357d_is_opened_and_turned_by_its_own_commands(void **state)
+{
+    (void)state;
+    struct kit kit;
+    kit_open(&kit, &panel_hx8357d_320x480);
+    wake_dbi(&kit.bus);
+    SEND(&kit, 0xCC, 0x05);
+    only(&kit.bus, SIM_BAD_PARAMETER, 1);
+    SEND(&kit, 0x36, 0xC0);
+    draw(&kit);
+    look(&kit, other);
+    SEND(&kit, 0xB9, 0xFF, 0x83, 0x57);
+    SEND(&kit, 0xCC, 0x05);
+    look(&kit, seen);
+    only(&kit.bus, SIM_BAD_PARAMETER, 1);
+    for (uint32_t i = 0; i < 320 * 480; i++) {
+        const uint8_t *const now = seen + 3 * i, *const was = other + 3 * ((479 - i / 320) * 320 + i % 320);
+        assert_true(now[0] == was[2] && now[1] == was[1] && now[2] == was[0]);
+    }
+    sim_close(kit.bus.sim);
+}
+
 /* ST7735S v1.1, 10.1.2, 10.1.11, 10.1.12: 120 ms to the next command, where the others want 5. */
 static void st7735s_wants_longer_waits(void **state)
 {
@@ -598,10 +625,10 @@ static const struct {
 } tables[] = {
     {&panel_st7789_240x240, &sim_table_st7789},   {&panel_gc9a01_240x240, &sim_table_gc9a01},
     {&panel_ili9341_240x320, &sim_table_ili9341}, {&panel_ili9488_320x480, &sim_table_ili9488},
-    {&panel_st7796_320x480, &sim_table_st7796},   {&panel_st7735s_128x160, &sim_table_st7735s},
-    {&panel_ssd1351_128x128, &sim_table_ssd1351}, {&panel_ssd0323_128x64, &sim_table_ssd0323},
-    {&panel_ssd1306_128x64, &sim_table_ssd1306},  {&panel_ssd1309_128x64, &sim_table_ssd1309},
-    {&panel_sh1106_128x64, &sim_table_sh1106},
+    {&panel_st7796_320x480, &sim_table_st7796},   {&panel_hx8357d_320x480, &sim_table_hx8357d},
+    {&panel_st7735s_128x160, &sim_table_st7735s}, {&panel_ssd1351_128x128, &sim_table_ssd1351},
+    {&panel_ssd0323_128x64, &sim_table_ssd0323},  {&panel_ssd1306_128x64, &sim_table_ssd1306},
+    {&panel_ssd1309_128x64, &sim_table_ssd1309},  {&panel_sh1106_128x64, &sim_table_sh1106},
 };
 
 /* Parameters that the table allows: the lowest value of each field, or the only ones. */
@@ -644,7 +671,7 @@ static bool is_lock(const struct sim_table *table, uint8_t code)
 static void try_field(const struct panel *panel, const struct sim_command *c, const struct sim_field *f,
                       unsigned number)
 {
-    uint8_t parameters[16];
+    uint8_t parameters[SIM_PARAMETERS_MAX];
     allowed(c, parameters);
     const size_t bytes = 3 * (size_t)panel->width * panel->height;
     assert_int_equal(frame_after(panel, c, parameters, other), 0);
@@ -681,7 +708,7 @@ static unsigned try_bytes(const struct panel *panel, const struct sim_command *c
     for (unsigned number = 1; number <= c->most; number++) {
         uint8_t named = c->exact != NULL ? 0 : 255;
         for (unsigned value = 0; value < 256; value++) {
-            uint8_t parameters[16];
+            uint8_t parameters[SIM_PARAMETERS_MAX];
             allowed(c, parameters);
             bool right = c->exact != NULL ? value == c->exact[number - 1] : true;
             for (unsigned f = 0; f < c->field_count; f++) {
@@ -739,6 +766,7 @@ int main(void)
         cmocka_unit_test(twelve_bits_a_pixel_want_the_epf_that_is_known),
         cmocka_unit_test(gc9a01_wants_its_registers_unlocked),
         cmocka_unit_test(st7796_wants_both_parts_of_table_2_unlocked),
+        cmocka_unit_test(hx8357d_is_opened_and_turned_by_its_own_commands),
         cmocka_unit_test(st7735s_wants_longer_waits),
         cmocka_unit_test(swreset_does_not_come_while_the_panel_wakes),
         cmocka_unit_test(shown_fields_change_the_picture_and_others_do_not),

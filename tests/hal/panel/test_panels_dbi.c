@@ -18,9 +18,10 @@ static const struct {
     unsigned cycle_ns;
     uint8_t colmod[3];
 } sheets[] = {
-    {&panel_st7789_240x240, 16, {0x55, 0x66, 0x53}}, {&panel_gc9a01_240x240, 10, {0x55, 0x66, 0x53}},
-    {&panel_ili9341_240x320, 100, {0x55, 0x66, 0}},  {&panel_ili9488_320x480, 50, {0, 0x66, 0}},
-    {&panel_st7796_320x480, 66, {0x55, 0x66, 0}},    {&panel_st7735s_128x128, 66, {0x05, 0x06, 0x03}},
+    {&panel_st7789_240x240, 16, {0x55, 0x66, 0x53}},  {&panel_gc9a01_240x240, 10, {0x55, 0x66, 0x53}},
+    {&panel_ili9341_240x320, 100, {0x55, 0x66, 0}},   {&panel_ili9488_320x480, 50, {0, 0x66, 0}},
+    {&panel_st7796_320x480, 66, {0x55, 0x66, 0}},     {&panel_hx8357d_320x480, 66, {0x55, 0x66, 0}},
+    {&panel_st7735s_128x128, 66, {0x05, 0x06, 0x03}},
 };
 
 static void controllers_are_those_of_the_data_sheets(void **state)
@@ -86,7 +87,7 @@ static void the_display_goes_on_and_off_by_the_same_commands(void **state)
 static void ips_glass_is_inverted(void **state)
 {
     static const struct panel *const tn[] = {&panel_ili9341_240x320, &panel_ili9488_320x480, &panel_st7796_320x480,
-                                             &panel_st7735s_128x128, &panel_st7735s_128x160};
+                                             &panel_hx8357d_320x480, &panel_st7735s_128x128, &panel_st7735s_128x160};
     (void)state;
     for (uint32_t i = 0; i < panel_count; i++) {
         bool is_tn = false;
@@ -187,6 +188,20 @@ static void st7796_is_unlocked_first_and_has_its_voltages(void **state)
     panel_step_of(p, 0xE1, 14);
 }
 
+/* B9h with FFh 83h 57h opens the other registers of an HX8357D. */
+static void hx8357d_is_unlocked_first(void **state)
+{
+    static const uint8_t key[] = {0xFF, 0x83, 0x57};
+    const struct panel *const p = &panel_hx8357d_320x480;
+    struct panel_step step = {0};
+    uint16_t at = 10; /* behind waking */
+    (void)state;
+    assert_true(panel_step_next(p->init, p->init_bytes, &at, &step) && step.code == 0xB9 && step.count == 3);
+    assert_memory_equal(step.parameters, key, 3);
+    assert_int_equal(panel_step_of(p, 0xCC, 1)[0], 0x05);
+    assert_memory_equal(panel_step_of(p, 0xE0, 34), panel_step_of(p, 0xE0, 34) + 16, 16); /* both polarities alike */
+}
+
 /* ST7735S 10.2: AVDD = 4.5 + .1 n, GVDD = 4.7 - .05 n, VCOM = -.425 - 25 mV n; the same rate in every mode. */
 static void st7735s_has_its_voltages(void **state)
 {
@@ -235,6 +250,7 @@ int main(void)
         cmocka_unit_test(ili9341_has_its_voltages_and_lines),
         cmocka_unit_test(ili9488_has_its_lines),
         cmocka_unit_test(st7796_is_unlocked_first_and_has_its_voltages),
+        cmocka_unit_test(hx8357d_is_unlocked_first),
         cmocka_unit_test(st7735s_has_its_voltages),
         cmocka_unit_test(gc9a01_is_unlocked_first),
     };
