@@ -59,6 +59,10 @@ struct panel_controller {
         column_pixels; /* pixels of a row of the glass in one column address, which is one byte: 1, or 2 (SSD0323) */
     bool parameters_are_commands; /* parameters go out with D/C low */
 
+    /* Between bus and controller is a shift register of 16 bits: each byte of a command or of its parameters goes out
+     * behind a byte 00h, and a pixel has 16 bits. */
+    bool words;
+
     /*
      * Not 0: the memory consists of pages, which are 8 rows of the glass. A page is addressed by set_page | page and by
      * the column's low and high four bits in commands 00h and 10h. There are no windows. set_rotation | MX and
@@ -168,8 +172,9 @@ struct panel_driver {
     uint16_t x, span;       /* first column and width of the window */
     uint16_t row, bottom;   /* next line; the line below the window */
     bool in_frame;          /* a window is open */
-    uint8_t column_sent[4]; /* parameters that were sent last, or are still on the wire */
-    uint8_t row_sent[4];
+    uint8_t commands[3][2]; /* of a window, behind a 00h each: set_column, set_row, memory_write */
+    uint8_t column_sent[8]; /* parameters that were sent last, or are still on the wire */
+    uint8_t row_sent[8];
     uint32_t frame_bytes; /* on the wire since panel_frame_begin, or since the caller set it to 0 */
     bool lit;             /* display and backlight are on */
     uint8_t share_x;      /* log2 of the pixels that share a byte: side by side in the picture; one above the other */

@@ -4,17 +4,33 @@
 
 #include <string.h>
 
+enum { SET_COLUMN, SET_ROW, MEMORY_WRITE };
+
 static int send(const struct hal *hal, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     const int status = n > 0 ? hal->ops->bus_write(hal->context, dc, bytes, n) : HAL_OK;
     return status < 0 || n == 0 ? status : hal->ops->bus_wait(hal->context);
 }
 
+/* Sends bytes of a command; each as a word of 16 bits where the controller wants that. */
+static int send_bytes(const struct panel_driver *d, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    if (!d->config.panel->controller->words) {
+        return send(&d->hal, dc, bytes, n);
+    }
+    int status = HAL_OK;
+    for (size_t i = 0; i < n && status >= 0; i++) {
+        const uint8_t word[2] = {0, bytes[i]};
+        status = send(&d->hal, dc, word, sizeof word);
+    }
+    return status;
+}
+
 static int send_command(const struct panel_driver *d, uint8_t command, const uint8_t *parameters, size_t n)
 {
     const bool low = d->config.panel->controller->parameters_are_commands;
-    const int status = send(&d->hal, HAL_COMMAND, &command, 1);
-    return status < 0 ? status : send(&d->hal, low ? HAL_COMMAND : HAL_DATA, parameters, n);
+    const int status = send_bytes(d, HAL_COMMAND, &command, 1);
+    return status < 0 ? status : send_bytes(d, low ? HAL_COMMAND : HAL_DATA, parameters, n);
 }
 
 /* Sends a sequence as described at struct panel. HAL_EINVAL: the table is broken, because the sequence is cut short. */
@@ -107,6 +123,9 @@ int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel
     d->config = *config;
     d->width = panel_width(config->panel, config->rotation);
     d->height = panel_height(config->panel, config->rotation);
+    d->commands[SET_COLUMN][1] = config->panel->controller->set_column;
+    d->commands[SET_ROW][1] = config->panel->controller->set_row;
+    d->commands[MEMORY_WRITE][1] = config->panel->controller->memory_write;
     status = panel_pack_init(d);
     status = status < 0 ? status : set_clock(d, config->panel->controller->init_hz);
     status = status < 0 ? status : hardware_reset(d);
@@ -127,27 +146,35 @@ static int stream(struct panel_driver *d, enum hal_dc dc, const uint8_t *bytes, 
     return d->hal.ops->bus_write(d->hal.context, dc, bytes, n);
 }
 
+/* Sends a command of a window. */
+static int start(struct panel_driver *d, uint32_t command)
+{
+    const bool word = d->config.panel->controller->words;
+    return stream(d, HAL_COMMAND, d->commands[command] + !word, 1U + word);
+}
+
 /*
  * Sends a window's two borders in a direction, high byte first. `sent` keeps them while they are on the wire. It is
  * written only when the command before them has been taken, so everything earlier has left its buffer. `again`: send
  * them even if the controller has them.
  */
-static int send_border(struct panel_driver *d, const uint8_t *command, uint32_t first, uint32_t last, uint8_t sent[4],
+static int send_border(struct panel_driver *d, uint32_t command, uint32_t first, uint32_t last, uint8_t sent[8],
                        bool again)
 {
     const struct panel_controller *c = d->config.panel->controller;
-    const uint8_t wide[4] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8), (uint8_t)last};
-    const uint8_t narrow[4] = {(uint8_t)first, (uint8_t)last, 0, 0};
-    const uint8_t *bytes = c->address_bytes == 1 ? narrow : wide;
+    const uint8_t words[8] = {0, (uint8_t)(first >> 8), 0, (uint8_t)first, 0, (uint8_t)(last >> 8), 0, (uint8_t)last};
+    const uint8_t wide[8] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8), (uint8_t)last};
+    const uint8_t narrow[8] = {(uint8_t)first, (uint8_t)last};
+    const uint8_t *bytes = c->words ? words : c->address_bytes == 1 ? narrow : wide;
     if (!again && memcmp(sent, bytes, sizeof wide) == 0) {
         return HAL_OK;
     }
-    int status = stream(d, HAL_COMMAND, command, 1);
+    int status = start(d, command);
     if (status < 0) {
         return status;
     }
     memcpy(sent, bytes, sizeof wide);
-    return stream(d, c->parameters_are_commands ? HAL_COMMAND : HAL_DATA, sent, 2U * c->address_bytes);
+    return stream(d, c->parameters_are_commands ? HAL_COMMAND : HAL_DATA, sent, (2U * c->address_bytes) << c->words);
 }
 
 /* Opens a window. `again`: send the borders even if the controller has them. */
@@ -161,10 +188,10 @@ static int open_window(struct panel_driver *d, uint32_t x, uint32_t y, bool agai
     bool swap = !c->window_turns && (d->config.rotation & 1) != 0; /* the picture's lines are columns of the glass */
     uint32_t height = d->bottom - y, column = place.column + (swap ? y : x), row = place.row + (swap ? x : y);
     uint32_t columns = swap ? height : d->span, rows = swap ? d->span : height;
-    int status = send_border(d, &c->set_column, column / c->column_pixels, (column + columns - 1) / c->column_pixels,
+    int status = send_border(d, SET_COLUMN, column / c->column_pixels, (column + columns - 1) / c->column_pixels,
                              d->column_sent, again);
-    status = status < 0 ? status : send_border(d, &c->set_row, row, row + rows - 1, d->row_sent, again);
-    return status < 0 || c->memory_write == 0 ? status : stream(d, HAL_COMMAND, &c->memory_write, 1);
+    status = status < 0 ? status : send_border(d, SET_ROW, row, row + rows - 1, d->row_sent, again);
+    return status < 0 || c->memory_write == 0 ? status : start(d, MEMORY_WRITE);
 }
 
 static int window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width, uint32_t height, bool again)
@@ -220,12 +247,12 @@ int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width,
 
 uint32_t panel_border_bytes(const struct panel_controller *c)
 {
-    return 1 + 2U * c->address_bytes;
+    return (1 + 2U * c->address_bytes) << c->words;
 }
 
 uint32_t panel_start_bytes(const struct panel_controller *c)
 {
-    return c->memory_write != 0;
+    return (uint32_t)(c->memory_write != 0) << c->words;
 }
 
 /* Sends lines that are `stride` pixels apart in memory. */

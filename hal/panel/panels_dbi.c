@@ -88,6 +88,19 @@ static const struct panel_controller hx8357d = {
     .format_value = {[PANEL_RGB565] = 0x55, [PANEL_RGB666] = 0x66},
 };
 
+/*
+ * ILI9486 of the Raspberry Pi's HATs of 3.5": a shift register of 16 bits drives its parallel interface. The bytes are
+ * those of Linux' drivers/gpu/drm/tiny/ili9486.c; the clock is that of the makers' overlay, and what the shift register
+ * takes, not the controller.
+ */
+static const struct panel_controller ili9486_words = {
+    .name = "ILI9486",
+    .write_hz = 16000000,
+    DBI_COMMANDS,
+    .words = true,
+    .format_value = {[PANEL_RGB565] = 0x55},
+};
+
 #define FORMATS_ALL   (PANEL_FORMAT_BIT(PANEL_RGB565) | PANEL_FORMAT_BIT(PANEL_RGB666) | PANEL_FORMAT_BIT(PANEL_RGB444))
 #define FORMATS_16_18 (PANEL_FORMAT_BIT(PANEL_RGB565) | PANEL_FORMAT_BIT(PANEL_RGB666))
 
@@ -297,6 +310,32 @@ const struct panel panel_st7796_320x480 = {
     .rotation_base = MX | BGR,
     .formats = FORMATS_16_18,
     INIT(st7796_init),
+};
+
+/* ---- ILI9486 behind a shift register ------------------------------------------------------------ */
+
+/* clang-format off */
+static const uint8_t ili9486_init[] = {
+    WAKE_UP,                         /* SWRESET, SLPOUT */
+    0xB0, 1, 0x00,                   /* interface mode */
+    0xC2, 1, 0x44,                   /* power control 3 */
+    0xC5, 4, 0x00, 0x00, 0x00, 0x00, /* VCOM control */
+    0xE0, 15, 0x0F, 0x1F, 0x1C, 0x0C, 0x0F, 0x08, 0x48, 0x98, 0x37, 0x0A, 0x13, 0x04, 0x11, 0x0D, 0x00, /* gamma */
+    0xE1, 15, 0x0F, 0x32, 0x2E, 0x0B, 0x0D, 0x05, 0x47, 0x75, 0x37, 0x06, 0x10, 0x03, 0x24, 0x20, 0x00, /* gamma */
+    0x20, 0,                         /* INVOFF: TN glass */
+};
+/* clang-format on */
+
+const struct panel panel_ili9486_16bit_320x480 = {
+    .name = "ili9486-16bit-320x480",
+    .controller = &ili9486_words,
+    .width = 320,
+    .height = 480,
+    .ram_width = 320,
+    .ram_height = 480,
+    .rotation_base = MX | BGR,
+    .formats = PANEL_FORMAT_BIT(PANEL_RGB565),
+    INIT(ili9486_init),
 };
 
 /* ---- HX8357D ------------------------------------------------------------------------------------ */

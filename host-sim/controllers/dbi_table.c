@@ -361,6 +361,22 @@ static const struct sim_command st7796[] = {
         {1, 1, 0x1F, 0x00, 0x1F, SIM_UNUSED,  "SPI_REN SPI_CNT: reading back"})},
 };
 
+/* ---- ILI9486 behind a shift register ------------------------------------------------------------ */
+
+/* The fixed bytes are those of Linux' drivers/gpu/drm/tiny/ili9486.c. */
+static const struct sim_command ili9486[] = {
+    MADCTL("MADCTL"),
+    {0x3A, 1, 1, false, "COLMOD", FIELDS(
+        {1, 1, 0x70, 0x50, 0x60, SIM_UNUSED,  "DPI: format of the RGB interface"},
+        {1, 1, 0x07, 0x05, 0x05, SIM_FIXED,   "DBI: 16 bits a pixel, which are one word"})},
+    {0x3C, SIM_PIXELS, SIM_PIXELS, false, "write memory continue", BARE},
+    {0xB0, 1, 1, false, "interface mode control", BYTES(0x00)},
+    {0xC2, 1, 1, false, "power control 3",        BYTES(0x44)},
+    {0xC5, 4, 4, false, "VCOM control",           BYTES(0x00, 0x00, 0x00, 0x00)},
+    {0xE0, 15, 15, false, "PGAMCTRL", BYTES(0x0F, 0x1F, 0x1C, 0x0C, 0x0F, 0x08, 0x48, 0x98, 0x37, 0x0A, 0x13, 0x04, 0x11, 0x0D, 0x00)},
+    {0xE1, 15, 15, false, "NGAMCTRL", BYTES(0x0F, 0x32, 0x2E, 0x0B, 0x0D, 0x05, 0x47, 0x75, 0x37, 0x06, 0x10, 0x03, 0x24, 0x20, 0x00)},
+};
+
 /* ---- HX8357D ------------------------------------------------------------------------------------ */
 
 /* SETEXTC opens the commands from B0h on. The bytes are those of Adafruit's Adafruit_HX8357.cpp, which says of SETPANEL
@@ -447,5 +463,6 @@ const struct sim_table sim_table_gc9a01 = {"GC9A01A, GalaxyCore, v1.0", LIST(gc9
 const struct sim_table sim_table_ili9341 = {"ILI9341, Ilitek, v1.11", LIST(ili9341), WAITS(5, 120)};
 const struct sim_table sim_table_ili9488 = {"ILI9488, Ilitek, v1.00", LIST(ili9488), WAITS(5, 120)};
 const struct sim_table sim_table_st7796 = {"ST7796S, Sitronix, v1.2", LIST(st7796), WAITS(5, 120)};
+const struct sim_table sim_table_ili9486 = {"ILI9486, Ilitek; Linux' ili9486.c", LIST(ili9486), WAITS(5, 120)};
 const struct sim_table sim_table_hx8357d = {"HX8357D, Himax; Adafruit", LIST(hx8357d), WAITS(5, 120)};
 const struct sim_table sim_table_st7735s = {"ST7735S, Sitronix, v1.1", LIST(st7735s), WAITS(120, 120)};

@@ -1,7 +1,8 @@
 /*
  * Model of the controllers with MIPI DBI type C option 3: ST7789, GC9A01, ILI9341, ILI9488, ST7796S, HX8357D,
- * ST7735S. They share the commands of the MIPI display command set; each has its own list of further ones
- * (dbi_table.c), of formats, and its own memory. What is SIM_SHOWN in the tables is followed here.
+ * ST7735S, and an ILI9486 whose parallel interface is driven by a shift register. They share the commands of the MIPI
+ * display command set; each has its own list of further ones (dbi_table.c), of formats, and its own memory. What is
+ * SIM_SHOWN in the tables is followed here.
  */
 #include "sim_model.h"
 
@@ -59,6 +60,7 @@ static const struct dbi_kind kinds[] = {
     {&sim_model_ili9488, &sim_table_ili9488, 1 << 1 | 1 << 6, 6, EPF_MSB, NULL},
     {&sim_model_st7796, &sim_table_st7796, 1 << 5 | 1 << 6, 6, EPF_ZERO, "F0h C3h and F0h 96h"},
     {&sim_model_hx8357d, &sim_table_hx8357d, 1 << 5 | 1 << 6, 6, EPF_MSB, "B9h FFh 83h 57h"},
+    {&sim_model_ili9486, &sim_table_ili9486, 1 << 5, 6, EPF_MSB, NULL},
     {&sim_model_st7735s, &sim_table_st7735s, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_MSB, NULL},
 };
 
@@ -496,6 +498,33 @@ static void take_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
     }
 }
 
+/*
+ * A shift register of 16 bits gives a word to the controller's parallel interface, with D/C as it stands at the last
+ * bit. The controller takes commands and parameters from the low byte, and a pixel from both; the high byte of the
+ * others must be 0, so that a stream that is out of step by a byte is seen.
+ */
+static void take_half_word(struct sim *sim, enum hal_dc dc, uint8_t byte)
+{
+    struct sim_dbi *d = &sim->u.dbi;
+    d->half_word = !d->half_word;
+    if (d->half_word) {
+        d->high_byte = byte;
+        d->high_dc = dc;
+        return;
+    }
+    const uint8_t high = d->high_byte;
+    const bool pixel = dc == HAL_DATA && d->command != NULL && d->command->least == SIM_PIXELS;
+    if (d->high_dc != dc) {
+        sim_complain(sim, SIM_DC_MOVED, "D/C moved inside of a word of 16 bits");
+    }
+    if (pixel) {
+        take_data(sim, high);
+    } else if (high != 0) {
+        sim_complain(sim, SIM_BAD_PARAMETER, "%02X%02Xh: the high byte of a command or parameter is not 0", high, byte);
+    }
+    take_byte(sim, dc, byte);
+}
+
 /* ---- the glass ---------------------------------------------------------------------------------- */
 
 static bool from_last_line(const struct sim_dbi *d)
@@ -546,11 +575,12 @@ static bool written(const struct sim *sim, uint32_t x, uint32_t y)
 
 /* The reset pulse takes 10 us, then 5 ms pass (the "reset timing" of the datasheets). The write limits are from their
  * tables of the serial timing. */
-#define DBI_MODEL(text, hz)                                                                                            \
+#define DBI_MODEL_OF(text, hz, take)                                                                                   \
     {                                                                                                                  \
         .controller = (text), .write_hz = (hz), .reset_pulse_ns = 10000, .reset_wait_ns = 5000000, .reset = reset,     \
-        .byte = take_byte, .shows = shows, .look = look, .written = written                                            \
+        .byte = (take), .shows = shows, .look = look, .written = written                                               \
     }
+#define DBI_MODEL(text, hz) DBI_MODEL_OF(text, hz, take_byte)
 
 const struct sim_model sim_model_st7789 = DBI_MODEL("ST7789", 62500000);
 const struct sim_model sim_model_gc9a01 = DBI_MODEL("GC9A01", 100000000);
@@ -558,4 +588,5 @@ const struct sim_model sim_model_ili9341 = DBI_MODEL("ILI9341", 10000000);
 const struct sim_model sim_model_ili9488 = DBI_MODEL("ILI9488", 20000000);
 const struct sim_model sim_model_st7796 = DBI_MODEL("ST7796S", 15151515);
 const struct sim_model sim_model_hx8357d = DBI_MODEL("HX8357D", 15151515);
+const struct sim_model sim_model_ili9486 = DBI_MODEL_OF("ILI9486", 16000000, take_half_word);
 const struct sim_model sim_model_st7735s = DBI_MODEL("ST7735S", 15151515);

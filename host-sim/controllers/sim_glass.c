@@ -23,6 +23,7 @@ static const struct sim_glass glasses[] = {
     {"ili9488-320x480", &sim_model_ili9488, 320, 480, 320, 480, 0, 0, true, true, false, false, true, false},
     {"st7796-320x480", &sim_model_st7796, 320, 480, 320, 480, 0, 0, true, true, false, false, true, false},
     {"hx8357d-320x480", &sim_model_hx8357d, 320, 480, 320, 480, 0, 0, true, true, false, false, true, false},
+    {"ili9486-16bit-320x480", &sim_model_ili9486, 320, 480, 320, 480, 0, 0, true, true, false, false, true, false},
     {"st7735s-128x128", &sim_model_st7735s, 128, 128, 132, 132, 2, 1, false, true, false, false, true, false},
     {"st7735s-128x160", &sim_model_st7735s, 128, 160, 132, 162, 2, 1, false, true, false, false, true, false},
     {"st7735s-80x160", &sim_model_st7735s, 80, 160, 132, 162, 26, 1, false, true, true, false, true, false},

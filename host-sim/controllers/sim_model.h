@@ -27,8 +27,8 @@ struct sim_model {
 };
 
 extern const struct sim_model sim_model_st7789, sim_model_gc9a01, sim_model_ili9341, sim_model_ili9488,
-    sim_model_st7796, sim_model_hx8357d, sim_model_st7735s, sim_model_ssd1351, sim_model_ssd0323, sim_model_ssd1306,
-    sim_model_ssd1309, sim_model_sh1106;
+    sim_model_st7796, sim_model_hx8357d, sim_model_ili9486, sim_model_st7735s, sim_model_ssd1351, sim_model_ssd0323,
+    sim_model_ssd1306, sim_model_ssd1309, sim_model_sh1106;
 
 /* A glass: how it is bonded to its controller and which way its colours are. */
 struct sim_glass {
@@ -70,6 +70,9 @@ struct sim_dbi {
     uint16_t lines;      /* that are driven */
     uint8_t unlock;      /* GC9A01: bit 0 after FEh, both after FEh EFh. ST7796S: parts I and II of command table 2;
                             HX8357D: both after B9h */
+    bool half_word;      /* ILI9486: the shift register has 8 of its 16 bits */
+    uint8_t high_byte;   /* ... these */
+    enum hal_dc high_dc; /* ... with this D/C */
     uint16_t x0, x1, y0, y1;
     uint16_t x, y;
     uint32_t left;   /* pixels until the window is full */

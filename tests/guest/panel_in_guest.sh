@@ -4,7 +4,7 @@
 # NAME.events; of test_hal NAME.hal. Environment: B.
 # shellcheck source-path=SCRIPTDIR
 # shellcheck disable=SC2015,SC2034,SC2119,SC2120,SC2154 # names and arguments for those who source it
-pi_boards='rpi-waveshare-1in3 rpi-waveshare-1in44 rpi-pirate-audio rpi-display-hat-mini rpi-pitft-2in8 rpi-pitft-3in5
+pi_boards='rpi-waveshare-1in3 rpi-waveshare-1in44 rpi-waveshare-3in5a rpi-pirate-audio rpi-display-hat-mini rpi-pitft-2in8 rpi-pitft-3in5
 rpi-mini-pitft-1in14 rpi-mini-pitft-1in3 rpi-oled-bonnet sbc-generic'
 usb_boards='ft232h-st7789 ft232h-ili9341'
 . "$(dirname "${BASH_SOURCE[0]}")/virtual_board.sh"

@@ -80,8 +80,8 @@ static void every_panel_shows_the_picture_in_every_rotation_and_format(void **st
             }
         }
     }
-    /* ST7789 and ST7735S, GC9A01, ILI9341, ILI9488, ST7796S, HX8357D, OLEDs, those of one bit */
-    assert_true(shots >= 4 * (8 * 3 + 3 + 2 + 1 + 2 + 2 + 1 + 1 + 5 * 2));
+    /* ST7789 and ST7735S, GC9A01, ILI9341, ILI9488, ST7796S, HX8357D, ILI9486, OLEDs, those of one bit */
+    assert_true(shots >= 4 * (8 * 3 + 3 + 2 + 1 + 2 + 2 + 1 + 1 + 1 + 5 * 2));
 }
 
 static void the_number_of_lines_at_a_time_is_not_seen(void **state)

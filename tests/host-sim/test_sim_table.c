@@ -46,6 +46,13 @@ static void send(struct kit *kit, uint8_t code, const uint8_t *parameters, size_
 {
     const struct hal *hal = &kit->bus.hal;
     const bool as_commands = kit->bus.board.panel->controller->parameters_are_commands;
+    if (kit->bus.board.panel->controller->words) {
+        for (size_t i = 0; i <= n; i++) {
+            const uint8_t word[2] = {0, i == 0 ? code : parameters[i - 1]};
+            assert_int_equal(hal->ops->bus_write(hal->context, i == 0 ? HAL_COMMAND : HAL_DATA, word, 2), 0);
+        }
+        return;
+    }
     command(&kit->bus, code);
     if (n > 0) {
         assert_int_equal(hal->ops->bus_write(hal->context, as_commands ? HAL_COMMAND : HAL_DATA, parameters, n), 0);
@@ -432,6 +439,8 @@ static const struct wrong {
     WRONG(panel_st7796_320x480, 0xC2, 0x03),                   /* SOP 0: no operation */
     WRONG(panel_st7796_320x480, 0xE8, 0x40, 0x8A, 0x00, 0x00, 0x39, 0x19, 0xA5, 0x33),
     WRONG(panel_st7796_320x480, 0xF0, 0x97),              /* neither C3h, 96h, 3Ch nor 69h */
+    WRONG(panel_ili9486_16bit_320x480, 0x3A, 0x56),       /* 18 bits a pixel: no word of 16 */
+    WRONG(panel_ili9486_16bit_320x480, 0xC2, 0x33),       /* Linux' 44h */
     WRONG(panel_hx8357d_320x480, 0x3A, 0x53),             /* 12 bits a pixel */
     WRONG(panel_hx8357d_320x480, 0xB9, 0xFF, 0x83, 0x58), /* another key */
     WRONG(panel_hx8357d_320x480, 0xCC, 0x01),             /* SETPANEL: another scan than Adafruit's */
@@ -623,12 +632,13 @@ static const struct {
     const struct panel *panel;
     const struct sim_table *table;
 } tables[] = {
-    {&panel_st7789_240x240, &sim_table_st7789},   {&panel_gc9a01_240x240, &sim_table_gc9a01},
-    {&panel_ili9341_240x320, &sim_table_ili9341}, {&panel_ili9488_320x480, &sim_table_ili9488},
-    {&panel_st7796_320x480, &sim_table_st7796},   {&panel_hx8357d_320x480, &sim_table_hx8357d},
-    {&panel_st7735s_128x160, &sim_table_st7735s}, {&panel_ssd1351_128x128, &sim_table_ssd1351},
-    {&panel_ssd0323_128x64, &sim_table_ssd0323},  {&panel_ssd1306_128x64, &sim_table_ssd1306},
-    {&panel_ssd1309_128x64, &sim_table_ssd1309},  {&panel_sh1106_128x64, &sim_table_sh1106},
+    {&panel_st7789_240x240, &sim_table_st7789},         {&panel_gc9a01_240x240, &sim_table_gc9a01},
+    {&panel_ili9341_240x320, &sim_table_ili9341},       {&panel_ili9488_320x480, &sim_table_ili9488},
+    {&panel_st7796_320x480, &sim_table_st7796},         {&panel_hx8357d_320x480, &sim_table_hx8357d},
+    {&panel_st7735s_128x160, &sim_table_st7735s},       {&panel_ssd1351_128x128, &sim_table_ssd1351},
+    {&panel_ssd0323_128x64, &sim_table_ssd0323},        {&panel_ssd1306_128x64, &sim_table_ssd1306},
+    {&panel_ssd1309_128x64, &sim_table_ssd1309},        {&panel_sh1106_128x64, &sim_table_sh1106},
+    {&panel_ili9486_16bit_320x480, &sim_table_ili9486},
 };
 
 /* Parameters that the table allows: the lowest value of each field, or the only ones. */

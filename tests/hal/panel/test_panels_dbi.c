@@ -86,8 +86,9 @@ static void the_display_goes_on_and_off_by_the_same_commands(void **state)
 /* IPS glasses show the complement of the memory, and are inverted: 21h, else 20h, as the last of the two. */
 static void ips_glass_is_inverted(void **state)
 {
-    static const struct panel *const tn[] = {&panel_ili9341_240x320, &panel_ili9488_320x480, &panel_st7796_320x480,
-                                             &panel_hx8357d_320x480, &panel_st7735s_128x128, &panel_st7735s_128x160};
+    static const struct panel *const tn[] = {
+        &panel_ili9341_240x320,       &panel_ili9488_320x480, &panel_st7796_320x480, &panel_hx8357d_320x480,
+        &panel_ili9486_16bit_320x480, &panel_st7735s_128x128, &panel_st7735s_128x160};
     (void)state;
     for (uint32_t i = 0; i < panel_count; i++) {
         bool is_tn = false;
@@ -202,6 +203,19 @@ static void hx8357d_is_unlocked_first(void **state)
     assert_memory_equal(panel_step_of(p, 0xE0, 34), panel_step_of(p, 0xE0, 34) + 16, 16); /* both polarities alike */
 }
 
+/* 16 bits a word: a byte 0 before each of a command and its parameters, and pixels that are one word. */
+static void ili9486_behind_a_shift_register_takes_words(void **state)
+{
+    const struct panel *const p = &panel_ili9486_16bit_320x480;
+    (void)state;
+    for (uint32_t i = 0; i < panel_count; i++) {
+        assert_int_equal(panel_list[i]->controller->words, panel_list[i] == p);
+    }
+    assert_int_equal(p->formats, PANEL_FORMAT_BIT(PANEL_RGB565));
+    assert_int_equal(p->controller->format_value[PANEL_RGB565], 0x55);
+    assert_int_equal(panel_frame_bytes(p, PANEL_RGB565, 0), 2 * 320 * 480 + 2 * (5 + 5 + 1));
+}
+
 /* ST7735S 10.2: AVDD = 4.5 + .1 n, GVDD = 4.7 - .05 n, VCOM = -.425 - 25 mV n; the same rate in every mode. */
 static void st7735s_has_its_voltages(void **state)
 {
@@ -251,6 +265,7 @@ int main(void)
         cmocka_unit_test(ili9488_has_its_lines),
         cmocka_unit_test(st7796_is_unlocked_first_and_has_its_voltages),
         cmocka_unit_test(hx8357d_is_unlocked_first),
+        cmocka_unit_test(ili9486_behind_a_shift_register_takes_words),
         cmocka_unit_test(st7735s_has_its_voltages),
         cmocka_unit_test(gc9a01_is_unlocked_first),
     };

@@ -6,9 +6,10 @@
 
 static const struct sim_table *const own[] = {&sim_table_st7789,  &sim_table_gc9a01, &sim_table_ili9341,
                                               &sim_table_ili9488, &sim_table_st7796, &sim_table_hx8357d,
-                                              &sim_table_st7735s};
+                                              &sim_table_ili9486, &sim_table_st7735s};
 enum { OWN = sizeof own / sizeof own[0] };
-static const char *const names[OWN] = {"ST7789", "GC9A01", "ILI9341", "ILI9488", "ST7796S", "HX8357D", "ST7735S"};
+static const char *const names[OWN] = {"ST7789",  "GC9A01",  "ILI9341", "ILI9488",
+                                       "ST7796S", "HX8357D", "ILI9486", "ST7735S"};
 
 static void tables_have_each_command_once(void **state)
 {

@@ -487,6 +487,76 @@ static void the_first_of_two_small_pixels_has_the_higher_bits(void **state)
     sim_close(k.sim);
 }
 
+static void word(struct sim_bus *k, enum hal_dc dc, uint8_t high, uint8_t low)
+{
+    const uint8_t bytes[2] = {high, low};
+    assert_int_equal(k->hal.ops->bus_write(k->hal.context, dc, bytes, 2), 0);
+}
+
+static void parameter_words(struct sim_bus *k, uint8_t code, const char *parameters, size_t n)
+{
+    word(k, HAL_COMMAND, 0, code);
+    for (size_t i = 0; i < n; i++) {
+        word(k, HAL_DATA, 0, (uint8_t)parameters[i]);
+    }
+}
+
+/* An ILI9486 with a shift register before it, awake, in black, with the window at column 319 - 2, row 5. */
+static void wake_words(struct sim_bus *k)
+{
+    *k = sim_bus_with(&panel_ili9486_16bit_320x480);
+    plug(k);
+    wait_ms(k, 121);
+    word(k, HAL_COMMAND, 0, 0x11);
+    wait_ms(k, 121);
+    parameter_words(k, 0x3A, "\x55", 1);
+    parameter_words(k, 0x36, "\x08", 1);
+    word(k, HAL_COMMAND, 0, 0x2C);
+    for (uint32_t i = 0; i < 320 * 480; i++) {
+        word(k, HAL_DATA, 0, 0);
+    }
+    word(k, HAL_COMMAND, 0, 0x29);
+    pin(k, HAL_PIN_BACKLIGHT, true);
+    parameter_words(k, 0x2A, "\0\x02\0\x03", 4);
+    parameter_words(k, 0x2B, "\0\x05\0\x05", 4);
+    word(k, HAL_COMMAND, 0, 0x2C);
+}
+
+/* Linux' ili9486.c: commands and parameters behind a byte 0, a pixel in one word. */
+static void a_shift_register_makes_words_of_16_bits(void **state)
+{
+    (void)state;
+    struct sim_bus k;
+    wake_words(&k);
+    word(&k, HAL_DATA, 0xF8, 0x00);
+    word(&k, HAL_DATA, 0x07, 0xE0);
+    assert_int_equal(seen_at(&k, 320, 317, 5), 0xFF0000);
+    assert_int_equal(seen_at(&k, 320, 316, 5), 0x00FF00);
+    assert_int_equal(seen_at(&k, 320, 315, 5), 0x000000);
+    none(&k);
+    sim_close(k.sim);
+}
+
+static void words_that_are_out_of_step_are_seen(void **state)
+{
+    (void)state;
+    struct sim_bus k;
+    wake_words(&k);
+    command(&k, 0x00);
+    only(&k, SIM_DC_MOVED, 0); /* half a word */
+    DATA(&k, "\x12");
+    only(&k, SIM_DC_MOVED, 1); /* D/C at the last bit counts: red's low byte is the second one */
+    sim_close(k.sim);
+
+    wake_words(&k);
+    word(&k, HAL_COMMAND, 0x36, 0x00);
+    only(&k, SIM_BAD_PARAMETER, 1);
+    parameter_words(&k, 0x36, "", 0);
+    word(&k, HAL_DATA, 0x01, 0x08);
+    only(&k, SIM_BAD_PARAMETER, 2);
+    sim_close(k.sim);
+}
+
 static void a_reset_does_not_come_right_after_waking(void **state)
 {
     (void)state;
@@ -581,6 +651,8 @@ int main(void)
         cmocka_unit_test(epf_says_where_the_sixth_bit_comes_from),
         cmocka_unit_test(pixels_beyond_the_window_begin_it_again),
         cmocka_unit_test(the_first_of_two_small_pixels_has_the_higher_bits),
+        cmocka_unit_test(a_shift_register_makes_words_of_16_bits),
+        cmocka_unit_test(words_that_are_out_of_step_are_seen),
         cmocka_unit_test(a_reset_does_not_come_right_after_waking),
         cmocka_unit_test(lines_are_mirrored_driven_and_counted_as_commanded),
         cmocka_unit_test(registers_are_unlocked_by_two_commands_in_a_row),
