@@ -232,6 +232,7 @@ void panel_options_help(void)
          "  probe      asks the display which controller it has, if its data line back is wired\n"
          "  testcard   corner dots, ring, arrow up, colour bars: what is wrong with a panel\n"
          "  speedtest  shows the test card at one bus clock after the other\n"
+         "  identify   shows the test card in one variant after another, each with a number: you say which is right\n"
          "  report     shows the test card, compares drawn frames with known ones, and writes text to paste\n"
          "\n"
          "Options:");
@@ -241,7 +242,8 @@ void panel_options_help(void)
 
 static bool read_command(struct panel_options *o, const char *word)
 {
-    static const char *const names[] = {"run", "list", "doctor", "probe", "testcard", "speedtest", "report"};
+    static const char *const names[] = {"run",      "list",      "doctor", "probe",
+                                        "testcard", "speedtest", "report", "identify"};
     const int found = option_text_choice(word, names, sizeof names / sizeof names[0]);
     o->command = found >= 0 ? (enum panel_command)found : PANEL_RUN;
     return found >= 0;
@@ -290,8 +292,7 @@ static int check_together(const struct panel_options *o)
                                 : complain_usage("no display: give --board NAME (`pinhole-panel list` shows "
                                                  "them), --panel NAME and its wiring, or --drm (see --help)");
     }
-    if ((o->command == PANEL_PROBE || o->command == PANEL_SPEEDTEST || o->command == PANEL_REPORT) &&
-        o->kit_count != 1) {
+    if (o->command != PANEL_LIST && o->command != PANEL_DOCTOR && o->kit_count != 1) {
         return complain_usage("one display at a time: give one --board NAME, or --panel NAME and its wiring");
     }
     return 0;
@@ -303,8 +304,8 @@ int panel_options_read(struct panel_options *o, int argc, char *const argv[])
     int i = 1;
     if (argc > 1 && argv[1][0] != '-') {
         if (!read_command(o, argv[1])) {
-            return complain_usage("'%s': no such command; run, list, doctor, probe, testcard, speedtest or report",
-                                  argv[1]);
+            return complain_usage(
+                "'%s': no such command; run, list, doctor, probe, testcard, speedtest, report or identify", argv[1]);
         }
         i = 2;
     }

@@ -16,6 +16,7 @@ enum panel_command {
     PANEL_TESTCARD,
     PANEL_SPEEDTEST,
     PANEL_REPORT,
+    PANEL_IDENTIFY,
     PANEL_HELP,
 };
 

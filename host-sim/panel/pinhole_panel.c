@@ -5,12 +5,14 @@
 #include "nearest.h"
 #include "panel_doctor.h"
 #include "panel_facts.h"
+#include "panel_identify.h"
 #include "panel_kit.h"
 #include "panel_probe.h"
 #include "panel_show.h"
 #include "self_test.h"
 #include "signal_stop.h"
 
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -241,6 +243,91 @@ static int report(struct stage *stage, const struct panel_options *o)
     return status;
 }
 
+/* ---- identify ----------------------------------------------------------------------------------- */
+
+#define CARD_NS 3000000000u /* how long a card is shown if nothing is typed */
+
+struct identify {
+    struct stage *stage;
+    const struct panel_options *o;
+    struct demo card;
+    uint64_t until_ns;
+};
+
+static bool is_typed(void)
+{
+    struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+    return poll(&in, 1, 0) != 0;
+}
+
+static int identify_board(void *context, const struct panel_wiring *w, struct board *board)
+{
+    struct identify *i = context;
+    const int status = panel_kit_choose(&i->stage->kits[0], w);
+    *board = i->stage->kits[0].board;
+    return status;
+}
+
+/* Before a frame: the card was there, and something was typed, or the next one is due. */
+static int next_card(void *context, struct panel_display *d, uint32_t frame)
+{
+    const struct identify *i = context;
+    (void)d;
+    return frame > i->o->start && (is_typed() || panel_show_now_ns() >= i->until_ns) ? PANEL_SHOW_OVER : 0;
+}
+
+static int identify_show(void *context, const struct panel_wiring *w, const char *number)
+{
+    struct identify *i = context;
+    struct panel_options o = *i->o;
+    struct panel_scene scene = plain_scene(&o);
+    o.kits[0] = *w;
+    int status = choose_kits(i->stage, &o);
+    scene.demo = &i->card;
+    scene.view = number;
+    scene.frames = 0;
+    scene.fps = 20;
+    scene.before = next_card;
+    scene.before_context = i;
+    i->until_ns = panel_show_now_ns() + CARD_NS;
+    if (status == 0) {
+        status = panel_show_run(i->stage->displays, 1, &scene);
+    }
+    return status == 0 && signal_stop != 0 ? COMPLAINED : status;
+}
+
+/* A line of what was typed: its number. */
+static int identify_typed(void *context)
+{
+    int number = 0;
+    char byte = 0;
+    (void)context;
+    if (!is_typed()) {
+        return 0;
+    }
+    while (read(STDIN_FILENO, &byte, 1) == 1) {
+        if (byte == '\n') {
+            return number;
+        }
+        number = byte >= '0' && byte <= '9' && number < 100 ? 10 * number + byte - '0' : 100;
+    }
+    return -1;
+}
+
+static int identify(struct stage *stage, const struct panel_options *o)
+{
+    struct identify i = {.stage = stage, .o = o, .card = panel_identify_card()};
+    const struct panel_identify_user user = {identify_board, identify_show, identify_typed, &i};
+    struct panel_wiring found = o->kits[0];
+    struct board board;
+    int status = panel_identify(&found, &user);
+    status = status == 0 ? identify_board(&i, &found, &board) : status;
+    if (status == 0) {
+        panel_identify_print(stdout, &found, &board);
+    }
+    return status;
+}
+
 /* ---- probe and list ----------------------------------------------------------------------------- */
 
 static void print_bytes(const char *command, const uint8_t bytes[PROBE_BYTES])
@@ -341,6 +428,8 @@ static int obey(struct stage *stage, const struct panel_options *o)
         return speedtest(stage, o);
     case PANEL_REPORT:
         return report(stage, o);
+    case PANEL_IDENTIFY:
+        return identify(stage, o);
     default:
         return show(stage, o);
     }

@@ -29,6 +29,7 @@ all_boards='
     run_fresh home --panel st7735s-80x160 --spi /dev/spidev0.1 --dc pinctrl-bcm2835:4 --reset gpiochip0:17 \
         --backlight - --demo testcard --frames 2 --rotate 90 --speed 8000000
     fresh && board_do te 18 100 && run edges --board rpi-waveshare-1in3 --te GPIO18 --frames 9 && board_events >$GUEST/edges.events
+    fresh && printf "2\n2\n1\n" | run identify identify --board rpi-waveshare-1in3 && board_events >$GUEST/identify.events
     run_fresh card testcard --board rpi-pitft-2in8 --frames 1
     run_fresh speedtest speedtest --board rpi-waveshare-1in44 --speed 15000000 --frames 2
     fresh && board_do wire-time 1 && run clocks speedtest --board rpi-waveshare-1in3 --speed 40000000 --frames 2
@@ -194,6 +195,15 @@ check "probe resets the display and names the controller that answers" a_control
 check "a display can be wired by hand, its lines named by label and offset" wires_are_given_by_hand
 check "testcard and speedtest show the card, at each clock" the_card_is_at_every_clock
 check "speedtest measures the clock on the wire, and doctor claims no other" the_clock_is_measured
+cards_that_are_named_are_printed() {
+    [ "$(cat "$guest_out/identify.status")" = 0 ] && cat >"$dir/identify" <<'END'
+options  --invert off --rotate 180
+board.c  .rotation = PANEL_R180,
+panel    .x0 = 0, .y0 = 0, .rotation_base = 0x00, and in .init 0x20, 0,
+END
+    cmp "$dir/identify" "$guest_out/identify.out" && [ "$(grep -c '^Which card' "$guest_out/identify.err")" = 3 ] && released identify
+}
+
 # For 20 MHz this bus makes 250 / 14, as a Raspberry Pi does, and does not tell: 240x320 pixels of 16 bits take 68.8 ms, which is
 # more than the clock asked for would take. This kernel adds to that, and is late for some of the 100 edges a second.
 a_report_tells_of_system_bus_and_lines() {
@@ -205,6 +215,7 @@ a_report_tells_of_system_bus_and_lines() {
             END { exit !te || !bus }' "$guest_out/report.out" || { cat "$guest_out/report.out" && return 1; }
 }
 
+check "identify prints what was named" cards_that_are_named_are_printed
 check "a report tells of system, device, bus, TE, and who answers" a_report_tells_of_system_bus_and_lines
 check "frames wait for the tearing-effect edge, and say so when none comes" frames_wait_for_the_edge
 check "with a bufsiz of 65536 a 240x240 frame is 2 transfers, 320x480 in RGB666 is 8" transfers_are_few 2 8

@@ -27,7 +27,7 @@ help_names_every_option() {
         refresh band depth overlay stats help; do
         grep -q -- "^  --$option\b" "$dir/help" || { echo "no --$option" && return 1; }
     done
-    for option in list doctor probe testcard speedtest report; do
+    for option in list doctor probe testcard speedtest report identify; do
         grep -q "^  $option " "$dir/help" || { echo "no $option" && return 1; }
     done
     "$panel" -h | cmp - "$dir/help"
@@ -70,6 +70,8 @@ what_does_not_fit_together_is_refused() {
         wrong_usage "one display at a time" probe --board sbc-generic --board rpi-pirate-audio &&
         wrong_usage "one display at a time" speedtest &&
         wrong_usage "one display at a time" report --board sbc-generic --board rpi-pirate-audio &&
+        wrong_usage "one display at a time" identify &&
+        wrong_usage "not for this command" identify --drm &&
         wrong_usage "--drm: the kernel has this display's wires" --drm --board sbc-generic &&
         wrong_usage "--drm: the kernel has this display's wires" --drm card0 --speed 1000000 &&
         wrong_usage "--drm and --diff exclude each other" --drm --diff on &&
@@ -101,6 +103,13 @@ the_doctor_names_what_is_missing() {
         ! grep -qv '^\(ok   \|FAIL \) ' "$dir/doctor" || { cat "$dir/doctor" "$dir/err" && return 1; }
 }
 
+identify_asks_and_needs_a_display() {
+    local status=0
+    "$panel" identify --board sbc-generic --spi "$dir/spidev" </dev/null >"$dir/out" 2>"$dir/err" || status=$?
+    [ "$status" = 1 ] && [ ! -s "$dir/out" ] && grep -q '^Which card is white on black' "$dir/err" &&
+        tail -n 1 "$dir/err" | grep -qF "$dir/spidev is not there"
+}
+
 a_full_disk_is_told() {
     local status=0
     "$panel" list 2>"$dir/err" >/dev/full || status=$?
@@ -114,5 +123,6 @@ check "what does not fit together is one line and exit 2" what_does_not_fit_toge
 check "what is not there is one line and exit 1" what_is_not_there_is_one_line
 check "two lines on one pin of an FT232H are one line and exit 1" two_lines_on_a_pin_are_refused
 check "doctor names what is missing, a line a check" the_doctor_names_what_is_missing
+check "identify asks, and says which device is missing" identify_asks_and_needs_a_display
 check "a list that cannot be written is exit 1" a_full_disk_is_told
 tap_end

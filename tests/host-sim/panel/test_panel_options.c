@@ -43,6 +43,7 @@ static void the_first_word_is_a_command(void **state)
                     {"testcard --board a", PANEL_TESTCARD},
                     {"speedtest --panel a", PANEL_SPEEDTEST},
                     {"report --board a", PANEL_REPORT},
+                    {"identify --board a", PANEL_IDENTIFY},
                     {"--list", PANEL_LIST},
                     {"--help", PANEL_HELP},
                     {"-h", PANEL_HELP},
@@ -139,7 +140,7 @@ static void a_scene_is_described(void **state)
 static const struct {
     const char *line, *part;
 } wrong[] = {
-    {"fly", "'fly': no such command; run, list, doctor, probe, testcard, speedtest or report"},
+    {"fly", "'fly': no such command; run, list, doctor, probe, testcard, speedtest, report or identify"},
     {"", "no display: give --board NAME"},
     {"testcard", "no display: give --board NAME"},
     {"--board a --board b --board c --board d --board e", "--board 'e': must be a name"},
@@ -174,6 +175,7 @@ static const struct {
     {"probe", "one display at a time"},
     {"speedtest --board a --board b", "one display at a time"},
     {"report", "one display at a time"},
+    {"identify --board a --board b", "one display at a time"},
     {"--drm --board a", "--drm: the kernel has this display's wires"},
     {"--drm --panel a", "--drm: the kernel has"},
     {"--drm --spi a", "--drm: the kernel has"},
