@@ -23,7 +23,7 @@ page-kits: page ## [BOARD=x]: the images that the page saves and flashes, for bo
 
 # The scripts in the order in which they stand in the page, and in its worker.
 PAGE_SCRIPTS := $(patsubst %,$(PAGE)/page_%.mjs,wasi core address buttons glass player facts files usb flash send kit reader boards beside model tabs) \
-                $(patsubst %,$(PAGE)/lesson/lesson_%.mjs,state algebra numbers world controls code exercises chapters exercise_view tab) $(PAGE)/page_main.mjs
+                $(patsubst %,$(PAGE)/lesson/lesson_%.mjs,state algebra numbers world controls code fraction exercise exercise_haw exercise_pipeline exercise_kaist exercise_eece exercise_lmu exercises chapters exercise_view tab) $(PAGE)/page_main.mjs
 PAGE_WORKER := $(patsubst %,$(PAGE)/page_%.mjs,wasi worker)
 PAGE_WASM := $(B)/wasm/page.wasm $(B)/wasm/model.wasm
 $(B)/page/index.html: $(PAGE_WASM) $(addprefix $(PAGE)/page.,sh html css) $(PAGE)/kits.sh $(PAGE_SCRIPTS) $(PAGE_WORKER)
