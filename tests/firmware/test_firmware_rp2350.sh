@@ -28,7 +28,7 @@ builds() { # the image that test_firmware_scene.sh takes, too
 stack_of_core_1_has_a_bound() {
     local size bound frame=64
     [ "$isa" = riscv ] || frame=32
-    size=$((0x$("${cross}nm" -S "$image.elf" | awk '$4 == "stack" { print $2 }')))
+    size=$((0x$("${cross}nm" "$image.elf" | awk '$3 == "stack_core1_bytes" { print $1 }')))
     bound=$(find "${image/-demos/}-objects" -name '*.ci' -exec cat {} + | awk -v library=96 -v list=1 -v of=hal/chips/rp2/cores2.c:serve -f firmware/tools/stack.awk | awk '/^worst/ { print $2 }')
     echo "at most $bound of $size"
     [ "$bound" -gt 1000 ] && [ $((bound + frame)) -le $((size - 256)) ]
