@@ -15,7 +15,7 @@ extern const struct panel_controller panel_st7789; /* for panels that a caller m
 /* clang-format off */
 #define PANELS_EACH(P) \
     P(st7789_240x240) P(st7789_135x240) P(st7789_240x320) P(st7789_170x320) P(st7789_172x320) P(st7789_240x280) P(gc9a01_240x240) \
-    P(ili9341_240x320) P(ili9488_320x480) P(st7796_320x480) P(hx8357d_320x480) P(ili9486_16bit_320x480) \
+    P(ili9341_240x320) P(ili9488_320x480) P(st7796s_320x480) P(hx8357d_320x480) P(ili9486_320x480) \
     P(st7735s_128x128) P(st7735s_128x160) P(st7735s_80x160) \
     P(ssd1351_128x128) P(ssd0323_128x64) P(ssd1306_128x64) P(ssd1306_128x32) P(ssd1306_72x40) P(ssd1309_128x64) \
     P(sh1106_128x64) PANELS_MORE(P)

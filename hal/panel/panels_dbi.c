@@ -300,8 +300,8 @@ static const uint8_t st7796_init[] = {
 };
 /* clang-format on */
 
-const struct panel panel_st7796_320x480 = {
-    .name = "st7796-320x480",
+const struct panel panel_st7796s_320x480 = {
+    .name = "st7796s-320x480",
     .controller = &st7796,
     .width = 320,
     .height = 480,
@@ -326,8 +326,8 @@ static const uint8_t ili9486_init[] = {
 };
 /* clang-format on */
 
-const struct panel panel_ili9486_16bit_320x480 = {
-    .name = "ili9486-16bit-320x480",
+const struct panel panel_ili9486_320x480 = {
+    .name = "ili9486-320x480",
     .controller = &ili9486_words,
     .width = 320,
     .height = 480,

@@ -56,7 +56,7 @@ studio_in_c() {
     local kind frame
     for kind in c phs; do "$asset" "$scene" -o "$dir/studio.$kind" --background 336699 --light back || return 1; done
     compile "$dir/studio.c" "$dir/studio" && "$dir/studio" pico-display 2 50 >"$dir/c.crcs" || return 1
-    for frame in 0 50; do "$B/pinhole-sim" --model "$dir/studio.phs" --board pico-display --start $frame --crc; done >"$dir/phs.crcs"
+    for frame in 0 50; do "$B/pinhole-sim" --model "$dir/studio.phs" --board pico-display --start "$frame" --crc; done >"$dir/phs.crcs"
     cmp "$dir/c.crcs" "$dir/phs.crcs" && "$asset" "$scene" -o "$dir/plain.phs" && [ "$(stat -c %s "$dir/studio.phs")" = $(($(stat -c %s "$dir/plain.phs") + 16)) ]
 }
 

@@ -119,7 +119,7 @@ static void each_epf_fills_red_and_blue_as_the_data_sheets_draw_it(void **state)
     for (unsigned i = 0; i < 8; i++) {
         const unsigned epf = i % 4;
         struct kit kit;
-        kit_open(&kit, i < 4 ? &panel_st7789_240x240 : &panel_st7796_320x480);
+        kit_open(&kit, i < 4 ? &panel_st7789_240x240 : &panel_st7796s_320x480);
         if (i < 4) {
             SEND(&kit, 0xB0, 0x00, (uint8_t)(0xC0 | epf << 4));
         } else {
@@ -334,9 +334,9 @@ static void display_function_control_is_followed(void **state)
     assert_int_equal(at(&kit, 7, 472), 0);
     assert_memory_equal(seen, other, 3 * 320 * 472);
     sim_close(kit.bus.sim);
-    REDRAW(&kit, &panel_st7796_320x480, 0xB6, 0x80, 0x62, 0x3B);
+    REDRAW(&kit, &panel_st7796s_320x480, 0xB6, 0x80, 0x62, 0x3B);
     expect_mirrored(&kit, true, true);
-    REDRAW(&kit, &panel_st7796_320x480, 0xB6, 0x80, 0x02, 0x3A);
+    REDRAW(&kit, &panel_st7796s_320x480, 0xB6, 0x80, 0x02, 0x3A);
     assert_int_equal(at(&kit, 7, 472), 0);
     assert_memory_equal(seen, other, 3 * 320 * 472);
     sim_close(kit.bus.sim);
@@ -426,21 +426,21 @@ static const struct wrong {
     WRONG(panel_ili9488_320x480, 0xB6, 0x22, 0x02, 0x3B),             /* the RGB interface */
     WRONG(panel_ili9488_320x480, 0xB6, 0x02, 0x02, 0x3C),             /* NL: 480 lines at most */
     WRONG(panel_ili9488_320x480, 0xF7, 0xA9, 0x51, 0x2C, 0x02),
-    WRONG(panel_st7796_320x480, 0x3A, 0x53),                   /* 12 bits a pixel */
-    WRONG(panel_st7796_320x480, 0xB4, 0x03),                   /* DINV 11 is reserved */
-    WRONG(panel_st7796_320x480, 0xB5, 0x02, 0x01, 0x00, 0x04), /* VBP: at least 2 */
-    WRONG(panel_st7796_320x480, 0xB5, 0x02, 0x02, 0x01, 0x04), /* third byte */
-    WRONG(panel_st7796_320x480, 0xB6, 0xA0, 0x02, 0x3B),       /* RM: memory by the RGB interface */
-    WRONG(panel_st7796_320x480, 0xB6, 0x84, 0x02, 0x3B),       /* PTG 01 is prohibited */
-    WRONG(panel_st7796_320x480, 0xB6, 0x80, 0x02, 0x3C),       /* NL: 480 lines at most */
-    WRONG(panel_st7796_320x480, 0xB7, 0x8E),                   /* deep standby */
-    WRONG(panel_st7796_320x480, 0xB7, 0x82),                   /* GON 0: gates at VGH */
-    WRONG(panel_st7796_320x480, 0xC1, 0x28),                   /* VRH: 28h .. 3Fh are reserved */
-    WRONG(panel_st7796_320x480, 0xC2, 0x03),                   /* SOP 0: no operation */
-    WRONG(panel_st7796_320x480, 0xE8, 0x40, 0x8A, 0x00, 0x00, 0x39, 0x19, 0xA5, 0x33),
-    WRONG(panel_st7796_320x480, 0xF0, 0x97),              /* neither C3h, 96h, 3Ch nor 69h */
-    WRONG(panel_ili9486_16bit_320x480, 0x3A, 0x56),       /* 18 bits a pixel: no word of 16 */
-    WRONG(panel_ili9486_16bit_320x480, 0xC2, 0x33),       /* Linux' 44h */
+    WRONG(panel_st7796s_320x480, 0x3A, 0x53),                   /* 12 bits a pixel */
+    WRONG(panel_st7796s_320x480, 0xB4, 0x03),                   /* DINV 11 is reserved */
+    WRONG(panel_st7796s_320x480, 0xB5, 0x02, 0x01, 0x00, 0x04), /* VBP: at least 2 */
+    WRONG(panel_st7796s_320x480, 0xB5, 0x02, 0x02, 0x01, 0x04), /* third byte */
+    WRONG(panel_st7796s_320x480, 0xB6, 0xA0, 0x02, 0x3B),       /* RM: memory by the RGB interface */
+    WRONG(panel_st7796s_320x480, 0xB6, 0x84, 0x02, 0x3B),       /* PTG 01 is prohibited */
+    WRONG(panel_st7796s_320x480, 0xB6, 0x80, 0x02, 0x3C),       /* NL: 480 lines at most */
+    WRONG(panel_st7796s_320x480, 0xB7, 0x8E),                   /* deep standby */
+    WRONG(panel_st7796s_320x480, 0xB7, 0x82),                   /* GON 0: gates at VGH */
+    WRONG(panel_st7796s_320x480, 0xC1, 0x28),                   /* VRH: 28h .. 3Fh are reserved */
+    WRONG(panel_st7796s_320x480, 0xC2, 0x03),                   /* SOP 0: no operation */
+    WRONG(panel_st7796s_320x480, 0xE8, 0x40, 0x8A, 0x00, 0x00, 0x39, 0x19, 0xA5, 0x33),
+    WRONG(panel_st7796s_320x480, 0xF0, 0x97),             /* neither C3h, 96h, 3Ch nor 69h */
+    WRONG(panel_ili9486_320x480, 0x3A, 0x56),             /* 18 bits a pixel: no word of 16 */
+    WRONG(panel_ili9486_320x480, 0xC2, 0x33),             /* Linux' 44h */
     WRONG(panel_hx8357d_320x480, 0x3A, 0x53),             /* 12 bits a pixel */
     WRONG(panel_hx8357d_320x480, 0xB9, 0xFF, 0x83, 0x58), /* another key */
     WRONG(panel_hx8357d_320x480, 0xCC, 0x01),             /* SETPANEL: another scan than Adafruit's */
@@ -557,7 +557,7 @@ static void st7796_wants_both_parts_of_table_2_unlocked(void **state)
                 {0x96, true},  {0x3C, false}, {0x96, false}, {0xC3, true}};
     (void)state;
     struct kit kit;
-    kit_open(&kit, &panel_st7796_320x480); /* opens both */
+    kit_open(&kit, &panel_st7796s_320x480); /* opens both */
     uint32_t refused = 0;
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         SEND(&kit, 0xF0, keys[i].key);
@@ -632,13 +632,13 @@ static const struct {
     const struct panel *panel;
     const struct sim_table *table;
 } tables[] = {
-    {&panel_st7789_240x240, &sim_table_st7789},         {&panel_gc9a01_240x240, &sim_table_gc9a01},
-    {&panel_ili9341_240x320, &sim_table_ili9341},       {&panel_ili9488_320x480, &sim_table_ili9488},
-    {&panel_st7796_320x480, &sim_table_st7796},         {&panel_hx8357d_320x480, &sim_table_hx8357d},
-    {&panel_st7735s_128x160, &sim_table_st7735s},       {&panel_ssd1351_128x128, &sim_table_ssd1351},
-    {&panel_ssd0323_128x64, &sim_table_ssd0323},        {&panel_ssd1306_128x64, &sim_table_ssd1306},
-    {&panel_ssd1309_128x64, &sim_table_ssd1309},        {&panel_sh1106_128x64, &sim_table_sh1106},
-    {&panel_ili9486_16bit_320x480, &sim_table_ili9486},
+    {&panel_st7789_240x240, &sim_table_st7789},   {&panel_gc9a01_240x240, &sim_table_gc9a01},
+    {&panel_ili9341_240x320, &sim_table_ili9341}, {&panel_ili9488_320x480, &sim_table_ili9488},
+    {&panel_st7796s_320x480, &sim_table_st7796},  {&panel_hx8357d_320x480, &sim_table_hx8357d},
+    {&panel_st7735s_128x160, &sim_table_st7735s}, {&panel_ssd1351_128x128, &sim_table_ssd1351},
+    {&panel_ssd0323_128x64, &sim_table_ssd0323},  {&panel_ssd1306_128x64, &sim_table_ssd1306},
+    {&panel_ssd1309_128x64, &sim_table_ssd1309},  {&panel_sh1106_128x64, &sim_table_sh1106},
+    {&panel_ili9486_320x480, &sim_table_ili9486},
 };
 
 /* Parameters that the table allows: the lowest value of each field, or the only ones. */

@@ -156,7 +156,7 @@ static bool find_colour(const struct ph_material *material, uint32_t colour[3])
 /* Makes the ramps of all steps. One that ph_material_ramp has not made stays as it is in each of them. */
 static void make_ramps(struct ph_dithered_ramp *to, const struct ph_material *material)
 {
-    uint32_t colour[3];
+    uint32_t colour[3] = {0, 0, 0};
     const bool found = find_colour(material, colour);
     to->ramp = material->ramp;
     for (struct ph_ramp_walk at = ph_ramp_begin(material->specular); at.entry < PH_RAMP_SIZE; ph_ramp_next(&at)) {

@@ -20,7 +20,7 @@ static const struct {
 } sheets[] = {
     {&panel_st7789_240x240, 16, {0x55, 0x66, 0x53}},  {&panel_gc9a01_240x240, 10, {0x55, 0x66, 0x53}},
     {&panel_ili9341_240x320, 100, {0x55, 0x66, 0}},   {&panel_ili9488_320x480, 50, {0, 0x66, 0}},
-    {&panel_st7796_320x480, 66, {0x55, 0x66, 0}},     {&panel_hx8357d_320x480, 66, {0x55, 0x66, 0}},
+    {&panel_st7796s_320x480, 66, {0x55, 0x66, 0}},    {&panel_hx8357d_320x480, 66, {0x55, 0x66, 0}},
     {&panel_st7735s_128x128, 66, {0x05, 0x06, 0x03}},
 };
 
@@ -86,9 +86,9 @@ static void the_display_goes_on_and_off_by_the_same_commands(void **state)
 /* IPS glasses show the complement of the memory, and are inverted: 21h, else 20h, as the last of the two. */
 static void ips_glass_is_inverted(void **state)
 {
-    static const struct panel *const tn[] = {
-        &panel_ili9341_240x320,       &panel_ili9488_320x480, &panel_st7796_320x480, &panel_hx8357d_320x480,
-        &panel_ili9486_16bit_320x480, &panel_st7735s_128x128, &panel_st7735s_128x160};
+    static const struct panel *const tn[] = {&panel_ili9341_240x320, &panel_ili9488_320x480, &panel_st7796s_320x480,
+                                             &panel_hx8357d_320x480, &panel_ili9486_320x480, &panel_st7735s_128x128,
+                                             &panel_st7735s_128x160};
     (void)state;
     for (uint32_t i = 0; i < panel_count; i++) {
         bool is_tn = false;
@@ -172,7 +172,7 @@ static void ili9488_has_its_lines(void **state)
 static void st7796_is_unlocked_first_and_has_its_voltages(void **state)
 {
     static const uint8_t keys[] = {0xC3, 0x96};
-    const struct panel *const p = &panel_st7796_320x480;
+    const struct panel *const p = &panel_st7796s_320x480;
     struct panel_step step = {0};
     uint16_t at = 10; /* behind waking */
     (void)state;
@@ -206,7 +206,7 @@ static void hx8357d_is_unlocked_first(void **state)
 /* 16 bits a word: a byte 0 before each of a command and its parameters, and pixels that are one word. */
 static void ili9486_behind_a_shift_register_takes_words(void **state)
 {
-    const struct panel *const p = &panel_ili9486_16bit_320x480;
+    const struct panel *const p = &panel_ili9486_320x480;
     (void)state;
     for (uint32_t i = 0; i < panel_count; i++) {
         assert_int_equal(panel_list[i]->controller->words, panel_list[i] == p);

@@ -504,7 +504,7 @@ static void parameter_words(struct sim_bus *k, uint8_t code, const char *paramet
 /* An ILI9486 with a shift register before it, awake, in black, with the window at column 319 - 2, row 5. */
 static void wake_words(struct sim_bus *k)
 {
-    *k = sim_bus_with(&panel_ili9486_16bit_320x480);
+    *k = sim_bus_with(&panel_ili9486_320x480);
     plug(k);
     wait_ms(k, 121);
     word(k, HAL_COMMAND, 0, 0x11);
