@@ -80,6 +80,9 @@ sleep 4
 show wrong
 options "--board rpi-waveshare-1in3 --spi /dev/spidev9.9" RestartSec=1 # may be plugged in later
 ctl start pinhole
-for ((i = 0; i < 3000; i++)); do [ "$(ctl show pinhole -p NRestarts --value)" = 0 ] || break; sleep .2; done
-show absent
+for ((i = 0; i < 3000; i++)); do # until it was tried again and has failed again: while it runs its exit status is 0
+    show absent
+    if ! grep -qx NRestarts=0 "$GUEST/absent.show" && grep -qx ExecMainStatus=1 "$GUEST/absent.show"; then break; fi
+    sleep .2
+done
 ctl stop pinhole

@@ -87,9 +87,9 @@ static bool set_no_texels(struct ph_triangle *t, const struct ph_setting *s, con
     return t != NULL && s != NULL && v != NULL && uv != NULL;
 }
 
-static void widen_nothing(struct ph_fast *fast)
+static void prepare_nothing(struct ph_setting *s)
 {
-    (void)fast;
+    (void)s;
 }
 
 void proof_setting(void)
@@ -106,7 +106,7 @@ void proof_setting(void)
     material.shading = nondet_u32() != 0 ? &shading : NULL;
     r.stats.depth_format = ph_depth_formats[u32_between(1, PH_DEPTH_FORMATS - 1)];
     r.lens = any_lens();
-    const struct ph_antialiasing antialiasing = {.widen = widen_nothing};
+    const struct ph_antialiasing antialiasing = {.prepare = prepare_nothing};
     r.config.antialiasing = nondet_u32() != 0 ? &antialiasing : NULL;
     ph_setting_of(&s, &r, &draw);
 }
