@@ -63,7 +63,7 @@ clip.between             |                       |  8 | no overflow
 clip.crossing            |                       | 18 | no overflow, at most 15 halvings
 clip.clip_plane          | crossing,distance     | 10 | at most PH_CLIP_MAX corners
 clip.clip                | crossing,distance=any_distance,clip_plane=any_corners | 10 | no index outside
-frame.camera             | ph_depth_quotient,ph_depth_linear_of | 20 | no overflow, ranges of the lens
+frame.camera             | ph_depth_quotient,ph_depth_linear_of,ph_lens_near | 20 | no overflow, ranges of the lens
 transform.project        | ph_depth_quotient     |  1 | no overflow
 depth.quotient           |                       |  1 | no overflow, exponent -3 .. 31
 depth.quotient_ortho     |                       |  1 | no overflow
@@ -96,7 +96,7 @@ exact.in_40_bits         |                       |  1 | no overflow, below 16
 exact.divide             |                       |  1 | no overflow
 exact.set_plane          | divide                |  4 | no overflow, range below 1
 exact.set_run            |                       |  4 | no bad shift
-exact.linear_code        |                       |  1 | no bad shift
+exact.linear_code        | ph_depth_linear_code  |  1 | no bad shift
 exact.range_of           |                       |  1 | no bad shift
 exact.pixels_in          |                       | 512 | 1 .. n
 exact.run                | octave_of,range_of,set_run,pixels_in=any_count | 1 | no overflow
