@@ -100,23 +100,26 @@ static int64_t product(const int32_t a[3], const int32_t b[3])
     return sum;
 }
 
-/* Whether a row of Q2.30 has length one, to 1/256. */
+/* Whether a product of rows of Q2.30 is 0, to 1/256. */
+static bool is_zero(int64_t value)
+{
+    return value <= (int64_t)1 << 24 && value >= -((int64_t)1 << 24);
+}
+
+/* Whether a row has length one. */
 static bool is_unit(const int32_t row[3])
 {
-    const int64_t off = product(row, row) - ((int64_t)1 << 32), near = (int64_t)1 << 24;
-    return off <= near && off >= -near;
+    return is_zero(product(row, row) - ((int64_t)1 << 32));
 }
 
 /* Whether three rows of Q2.30 are a rotation: of length one, at right angles, to 1/256, and not mirrored. */
 static bool is_rotation(const int32_t r[3][3])
 {
-    const int64_t near = (int64_t)1 << 24;
     int32_t cross[3];
     bool right = true;
     for (uint32_t i = 0; i < 3; i++) {
-        const int64_t across = product(r[i], r[(i + 1) % 3]);
         const uint32_t j = (i + 1) % 3, k = (i + 2) % 3;
-        right = right && is_unit(r[i]) && across <= near && across >= -near;
+        right = right && is_unit(r[i]) && is_zero(product(r[i], r[j]));
         cross[i] = right ? (int32_t)(((int64_t)r[0][j] * r[1][k] - (int64_t)r[0][k] * r[1][j]) >> 31) : 0;
     }
     return right && product(cross, r[2]) > 0;

@@ -5,7 +5,7 @@
 # source does in the tree, and its call graph (.ci) beside it.
 # Exits 1 if there is no bound. firmware.mk calls it; IMAGE stands in messages.
 set -eu
-image=$1 extra=$2 from=$3 folder=$4
+image=$1 extra=$(($2)) from=$3 folder=$4
 shift 4
 
 # A compiler through ccache leaves no call graph when it finds the object. Without one a function would seem to need little.

@@ -21,7 +21,7 @@ PORT_LD = hal/rp2350/rp2350.ld
 PORT_AHEAD_BYTES = $(if $(filter 2,$(CORES)),53248)
 PORT_STACK_EXTRA = $(if $(filter riscv,$(ISA)),160,32) # an interrupt's registers, and its handler's on RISC-V
 PORT_CORE1 = $(if $(filter 2,$(CORES)),hal/chips/rp2/cores2.c:serve)
-PORT_CORE1_EXTRA = $(if $(filter riscv,$(ISA)),416,288) # and the 256 of its guard, see cores2.c
+PORT_CORE1_EXTRA = $(PORT_STACK_EXTRA) + 256 # of its guard, see cores2.c
 UF2_FAMILY = $(if $(filter riscv,$(ISA)),0xe48bff5a,0xe48bff59)
 UF2_BASE = 0x10000000
 EMULATE = CHIP=rp2350 B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' host-sim/emulate/emulate_rp2.sh

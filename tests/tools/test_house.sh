@@ -220,7 +220,7 @@ walls() {
         wall host-sim/common "$(header_of host-sim/model)" && wall host-sim/emulate/rp2350 hal.h && wall host-sim/emulate/registers complain.h && wall host-sim/depth "$(header_of firmware/core/kernels)"
 }
 
-# Lines of lists of wrong writes and mutants (long_wrong_writes.sh, long_mutants.sh) whose sed expression changes nothing.
+# Lines of lists of wrong writes and mutants (long_wrong_writes.sh, long_mutants.sh, long_proof.sh) whose sed expression changes nothing.
 idle_changes() { # list...
     local line what file change
     grep -hv '^#' "$@" | while IFS= read -r line; do
@@ -271,7 +271,7 @@ check "no linker script, Makefile or awk program has a function's name" none nam
 check "... a section's is seen" sees 'named.ld: .text.merge$' a_named_function '*render/bands.o(.text.merge .text.*)'
 check "... and any other" sees 'named.ld: ph_draw_band$' a_named_function 'from ph_draw_band on'
 check "... but no tier" none a_named_function '*(.tier.mesh.*) *(.text .text.*)'
-check "each wrong write and each mutant changes its file" none idle_changes tests/hal/wrong_writes/*.txt tests/core/mutants.txt
+check "each wrong write and each mutant changes its file" none idle_changes tests/hal/wrong_writes/*.txt tests/{core,proof}/mutants.txt
 echo 'nothing | board | Makefile | s/^no such line$//' >"$dir/idle.txt"
 check "... one that does not is seen" sees '^changes nothing: nothing$' idle_changes "$dir/idle.txt"
 check "no room can include what is another's" walls

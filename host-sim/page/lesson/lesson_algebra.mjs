@@ -37,12 +37,11 @@ const LESSON_CLIPS = {
     lmu: [-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1],
     reversed: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.5, 0.5, 0, 0, 0, 1],
 };
-const LESSON_LMU_PARALLEL = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1];
-const LESSON_MIRROR = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1]; // the camera of d3d is left-handed
+const LESSON_MIRROR = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1]; // of z: the camera of d3d, the depth of lmu in parallel
 
 // A lens, or a view, of one convention as another one writes it.
 export function lessonLensAs(matrix, from, to) {
-    const parallel = Math.abs(matrix[14]) < 1e-6, clip = (name) => (name === 'lmu' && parallel ? LESSON_LMU_PARALLEL : LESSON_CLIPS[name]);
+    const parallel = Math.abs(matrix[14]) < 1e-6, clip = (name) => (name === 'lmu' && parallel ? LESSON_MIRROR : LESSON_CLIPS[name]);
     const turned = (from === 'd3d') !== (to === 'd3d') ? lessonProduct(matrix, LESSON_MIRROR) : matrix;
     return lessonProduct(clip(to), lessonProduct(lessonInverse(clip(from)), turned));
 }

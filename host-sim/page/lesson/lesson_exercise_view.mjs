@@ -34,14 +34,14 @@ function showExercise({ title, source, make }, open) {
         const buttons = [exercisePart('button', { type: 'submit', className: 'main', textContent: 'Check' }), exercisePart('button', { type: 'button', textContent: 'Other numbers', onclick: fill })];
         said.forEach((line) => line.setAttribute('role', 'status'));
         judge = () => check(inputs.map(({ value }) => value)).forEach(({ ok, say }, i) => {
-            said[i].textContent = ok ? `right${say ? `: ${say}` : ''}` : say;
+            said[i].textContent = ok ? 'right' : say;
             said[i].classList.toggle('wrong', !ok);
         });
         if (address) {
             buttons.push(exercisePart('button', { type: 'button', textContent: 'Show it above', onclick: () => open(address) }));
         }
         body.replaceChildren(exercisePart('p', { className: 'lesson-task', textContent: text }), ...rows,
-            exercisePart('div', { className: 'transport' }, ...buttons), exercisePart('p', { className: 'hint', textContent: source ?? '' }));
+            exercisePart('div', { className: 'transport' }, ...buttons), exercisePart('p', { className: 'hint', textContent: source }));
     };
     body.addEventListener('submit', (event) => {
         event.preventDefault();
@@ -53,7 +53,6 @@ function showExercise({ title, source, make }, open) {
 
 // Fills the element. open(address) is called with the address of a chapter, or of an exercise's numbers.
 export function openLessonExercises(element, open) {
-    element.hidden = chapters.length + exercises.length === 0;
     const left = exercisePart('div', {}, exercisePart('h2', { textContent: 'Chapters' })), right = exercisePart('div', {}, exercisePart('h2', { textContent: 'Exercises' }));
     showChapters(left, open);
     right.append(...exercises.map((exercise) => showExercise(exercise, open)));
