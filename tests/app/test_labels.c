@@ -296,12 +296,12 @@ static void each_kit_has_three_fifths_of_the_triangles_of_the_best(void **state)
 }
 
 /* What is in focus: where a figure ends at the background, it is brighter or darker by an eighth of white at least, on
- * most of the outline. */
+ * three quarters of the outline. */
 static void silhouettes_are_legible_on_glass_of_64_lines(void **state)
 {
     (void)state;
     for (const struct row *row = rows; row < rows + row_count; row++) {
-        if (row->height == LOW && row->demo->blur_radius == 0 && 2 * row->seen.faint > row->seen.outline) {
+        if (row->height == LOW && row->demo->blur_radius == 0 && 4 * row->seen.faint > row->seen.outline) {
             fail_msg("%s on %s: %u of %u pixels of its outlines are faint", row->demo->name, row->board->name,
                      (unsigned)row->seen.faint, (unsigned)row->seen.outline);
         }

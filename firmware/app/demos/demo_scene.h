@@ -79,7 +79,8 @@ char *demo_add_text(char *to, const char *more);
 /*
  * A picture of up to 64 lines or columns is mostly on glass of one bit a pixel, or a few: there figures are told from
  * what is behind them by brightness alone. So the sky is black there, what lies on the ground has a quarter of its
- * brightness, and figures are mixed with white. In all other pictures the colours are as given.
+ * brightness, and figures are mixed with white and lit on their dark sides. In all other pictures the colours are as
+ * given.
  */
 bool demo_is_small(const struct demo_context *context);
 uint16_t demo_sky(const struct demo_context *context, uint8_t red, uint8_t green, uint8_t blue);

@@ -44,7 +44,7 @@
 #define ZOOM_AT    FX_INT(9)         /* the place of the camera that zooms */
 #define DOLLY_FOV  FX_INT(60)        /* the field of view of the one that moves */
 #define SEEN_LEAST (FX_ONE * 16 / 5) /* at the top's distance, in both */
-#define SEEN_MOST  FX_INT(6)
+#define SEEN_MOST  (FX_ONE * 9 / 2)
 #define WALK       9 /* pieces of floor, of 2 x 2 cells */
 #define ZOOM_PAIRS 6
 #define ZOOM_FEW   3

@@ -259,5 +259,10 @@ static uint8_t bright(const struct demo_context *context, uint8_t value)
 struct ph_material demo_figure(const struct demo_context *context, uint16_t ramp[PH_RAMP_SIZE], uint8_t red,
                                uint8_t green, uint8_t blue)
 {
-    return demo_lit(ramp, PH_SHADE_GOURAUD, bright(context, red), bright(context, green), bright(context, blue));
+    struct ph_material m =
+        demo_lit(ramp, PH_SHADE_GOURAUD, bright(context, red), bright(context, green), bright(context, blue));
+    if (demo_is_small(context)) { /* its dark side, too, is brighter than the ground */
+        m.ambient = m.diffuse = FX_HALF;
+    }
+    return m;
 }

@@ -89,7 +89,7 @@ static int shadow_begin(const struct demo_context *context, struct ph_renderer *
     struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_ONE, FX_INT(24));
     struct ph_xform view = demo_look(0, FX_ONE * 3, FX_ONE * 5, 0, FX_ONE * 3 / 4, 0);
     demo_orbit(context, &view, &projection);
-    return demo_begin(context, r, &view, &projection, &light, ph_rgb565(24, 26, 36));
+    return demo_begin(context, r, &view, &projection, &light, demo_sky(context, 24, 26, 36));
 }
 
 static int draw_with_shadow(struct ph_renderer *r, const struct shadows *s, const struct ph_mesh *mesh,

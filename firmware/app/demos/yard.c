@@ -80,9 +80,9 @@ static int yard_init(struct demo_context *context)
     }
     make_wood(y);
     y->wood.ambient = demo_is_small(context) ? FX_ONE : FX_ONE / 3;
-    y->faces[0] = demo_lit(y->ramps[0], PH_SHADE_GOURAUD, 60, 130, 230);
-    y->faces[1] = demo_lit(y->ramps[1], PH_SHADE_GOURAUD, 245, 245, 235);
-    y->faces[2] = demo_lit(y->ramps[2], PH_SHADE_GOURAUD, 240, 90, 60);
+    y->faces[0] = demo_figure(context, y->ramps[0], 60, 130, 230);
+    y->faces[1] = demo_figure(context, y->ramps[1], 245, 245, 235);
+    y->faces[2] = demo_figure(context, y->ramps[2], 240, 90, 60);
     y->tiles[0] = demo_tile(context, 196, 186, 150);
     y->tiles[1] = demo_tile(context, 140, 150, 110);
     y->shade = demo_tile(context, 84, 86, 76);
