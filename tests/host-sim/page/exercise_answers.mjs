@@ -21,6 +21,9 @@ export const less = (one, other) => add(one, neg(other))[0] < 0n;
 const floor = ([a, b]) => q((a - (((a % b) + b) % b)) / b);
 const divisor = (a, b) => (b === 0n ? (a < 0n ? -a : a) : divisor(b, a % b));
 export const reduced = ([a, b]) => [a / divisor(a, b), b / divisor(a, b)];
+// An answer, or a wrong one, as a list of fractions, and as a student types it.
+export const listOf = (value) => (Array.isArray(value) && !(typeof value[0] === 'bigint') ? value.map((item) => (Array.isArray(item) ? item : q(item))) : [Array.isArray(value) ? value : q(value)]);
+export const textOf = (value) => (typeof value === 'string' ? value : listOf(value).map(reduced).map(([a, b]) => `${a}/${b}`).join(' '));
 const root = (value) => over(...reduced(value).map((part) => q(Math.sqrt(Number(part)))));
 const times = (left, right) => left.map((row) => right[0].map((_, j) => add(...row.map((value, k) => mul(value, right[k][j])))));
 const on = (matrix, point) => times(matrix, point.map((value) => [value])).map(([value]) => value);

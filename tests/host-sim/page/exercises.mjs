@@ -3,14 +3,12 @@
 // state are compared with those that exercise_answers.mjs works out from their texts; right answers are typed in several
 // spellings, and to each typical wrong answer its own sentence must be said, in at least one instance.
 import { exercises } from '../../../host-sim/page/lesson/lesson_exercises.mjs';
-import { answersOf, equal, generator, less, q, reduced } from './exercise_answers.mjs';
+import { answersOf, equal, generator, less, listOf, q, reduced, textOf } from './exercise_answers.mjs';
 
 const instances = +process.argv[2];
 const wrong = [];
 const fault = (id, what) => wrong.length < 20 && wrong.push(`${id}: ${what}`);
 
-const listOf = (value) => (Array.isArray(value) && !(typeof value[0] === 'bigint') ? value.map((item) => (Array.isArray(item) ? item : q(item))) : [Array.isArray(value) ? value : q(value)]);
-const textOf = (value) => (typeof value === 'string' ? value : listOf(value).map(reduced).map(([a, b]) => `${a}/${b}`).join(' '));
 const sameList = (one, other) => one.length === other.length && one.every((value, i) => equal(value, other[i]));
 const readAnswer = (text) => text.replaceAll(';', ' ').trim().split(/\s+/).map((word) => q(word));
 // A matrix of the plane may have any factor: then all its numbers are multiplied by it.

@@ -1,6 +1,8 @@
 // use_lesson: tries the tab Lesson as its users do, and compares its numbers and pixels with pinhole-sim; see browser.mjs.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
+import { exercises } from '../../../host-sim/page/lesson/lesson_exercises.mjs';
+import { answersOf, textOf } from './exercise_answers.mjs';
 
 const built = process.env.B ?? 'build';
 const same = (is, must, what) => (String(is) === String(must) ? [] : [`${what}: ${is}, not ${must}`]);
@@ -127,18 +129,22 @@ export async function useLesson({ browser, open, check }) {
     await page.context().close();
 }
 
-// The lines of C, in a program that prints their matrices, which must be those on the page.
+// The lines of C, in a program that prints their matrices and the vertex in clip coordinates, which must be those on the page. A
+// world whose typed matrix is left-handed is mirrored: its z is the other way in Pinhole's own world.
 async function sources(page, check, folder) {
     const typed = ['demo=cube&size=96x64&view-matrix=0.6,0,0.8,-1,0,1,0,0.5,-0.8,0,0.6,-4,0,0,0,1&projection-matrix=1.5,0,0.25,0,0,2,0,0,0,0,-1.5,-5,0,0,-1,0&anyway=on&point=0,0,0',
+        'demo=cube&size=96x64&convention=d3d&fov=90&near=1&far=9&view-matrix=1,0,0,0,0,1,0,0,0,0,1,5,0,0,0,1&anyway=on&point=1,.5,-2',
         'demo=cube&size=96x64&convention=d3d&camera=quat=1,.2,.3,0,eye=1,0,4&projection-matrix=.25,0,0,.5,0,.5,0,0,0,0,.125,-.25,0,0,0,1&anyway=on&point=0,0,0', `${STATES[0]}&focal=-1.5`.replace('fov=90&', '')];
     for (const options of [...STATES, ...typed]) {
         const { code, numbers, said } = await show(page, options), source = `${folder}/lesson.c`;
-        writeFileSync(source, `#include "camera.h"\n#include "render.h"\n#include <stdio.h>\nint main(void)\n{\n    static struct ph_renderer renderer;\n${code}\n    (void)clip;
-    for (int i = 0; i < 32; i++) { printf("%s.%d.%d %.0f\\n", i < 16 ? "view" : "projection", i / 4 % 4, i % 4, (double)(i < 16 ? &V : &P)->m[i / 4 % 4][i % 4]); }\n    return 0;\n}\n`);
+        writeFileSync(source, `#include "camera.h"\n#include "render.h"\n#include <stdio.h>\nint main(void)\n{\n    static struct ph_renderer renderer;\n${code}\n    for (int i = 0; i < 32; i++) { printf("%s.%d.%d %.0f\\n", i < 16 ? "view" : "projection", i / 4 % 4, i % 4, (double)(i < 16 ? &V : &P)->m[i / 4 % 4][i % 4]); }\n    printf("clip %d %d %d %d\\n", (int)clip.x, (int)clip.y, (int)clip.z, (int)clip.w);\n    return 0;\n}\n`);
         const made = spawnSync('cc', ['-std=c11', '-Wall', '-Werror', '-Ifirmware/core', '-Ifirmware/core/kernels/portable', source, `${built}/libpinhole.a`, '-o', `${folder}/lesson`], { encoding: 'utf8' });
         const printed = made.status === 0 ? execFileSync(`${folder}/lesson`, { encoding: 'utf8' }).trim().split('\n') : [];
-        const must = numbers.filter((line) => /^(view|projection)\.\d\.\d/.test(line)).map((line) => line.replace(/: (.*)/, (_, number) => ` ${Math.round(number * 65536)}`));
-        check(`the lines of C make the camera of ${options}`, [...(made.status === 0 ? [] : [made.stderr]), ...same(printed.sort(), must.sort(), 'matrices'), ...same(said, '', 'said')]);
+        const clip = printed.pop()?.split(' ').slice(1) ?? [], left = /d3d.*view-matrix/.test(options);
+        const must = numbers.filter((line) => /^(view|projection)\.\d\.\d/.test(line))
+            .map((line) => line.replace(/: (.*)/, (_, number) => ` ${(left && /^view\.\d\.2/.test(line) ? -1 : 1) * Math.round(number * 65536) || 0}`));
+        const far = numbers.filter((line) => /^clip\.[wxyz]:/.test(line)).filter((line) => Math.abs(clip['xyzw'.indexOf(line[5])] - line.split(' ')[3]) > 2);
+        check(`the lines of C make the camera of ${options}`, [...(made.status === 0 ? [] : [made.stderr]), ...same(printed.sort(), must.sort(), 'matrices'), ...same(far, '', `clip ${clip}`), ...same(numbers.filter((line) => line.startsWith('clip.')).length, 4, 'clip'), ...same(said, '', 'said')]);
     }
 }
 
@@ -240,6 +246,41 @@ async function walk(page, check) {
         [...same(things.length, 53, 'things'), ...bad.flatMap(({ title, faults }) => [`${title}: ${faults[0] ?? 'no label has two values'}`])]);
 }
 
+// A student reads the task, types a typical mistake, then the answers that were worked out from the task's words; asks for other
+// numbers, and sees them above.
+async function answers(page, check, { id, title }) {
+    const body = page.locator('#lesson-exercises details', { has: page.getByText(title, { exact: true }) }).locator('form'), faults = [];
+    await page.locator('#lesson-exercises summary', { hasText: title }).click();
+    const task = async () => {
+        const text = await body.locator('.lesson-task').textContent(), labels = (await body.locator('label').allTextContents()).map((label) => label.trim());
+        return { text, all: text + labels, ...answersOf[id](text, labels) };
+    };
+    const answer = async (texts) => {
+        for (const [i, text] of texts.entries()) {
+            await body.locator('input').nth(i).fill(text);
+        }
+        await body.getByText('Check').click();
+        return body.locator('.said').allTextContents();
+    };
+    const first = await task(), right = first.answers.map(textOf), [part, value, pattern] = first.wrongs.find((wrong) => wrong[1] !== null && textOf(wrong[1]) !== right[wrong[0]]);
+    const mistaken = await answer(right.map((text, i) => (i === part ? textOf(value) : text)));
+    faults.push(...mistaken.flatMap((said, i) => (i === part ? (pattern.test(said) ? [] : [`to ${textOf(value)}: ${said}`]) : same(said, 'right', 'the others'))));
+    faults.push(...same((await body.locator('.said').nth(part).getAttribute('class')), 'said wrong', 'class'));
+    faults.push(...same(await answer(right), right.map(() => 'right'), 'said'));
+    await body.getByText('Other numbers').click();
+    const other = await task();
+    faults.push(...(other.all === first.all ? ['the numbers stay'] : []), ...same((await body.locator('.said').allTextContents()).join(''), '', 'said of other numbers'),
+        ...same(await answer(other.answers.map(textOf)), right.map(() => 'right'), 'said of other answers'));
+    const above = body.getByText('Show it above');
+    if (await above.count() > 0) {
+        const before = await page.evaluate(() => location.hash);
+        await above.click();
+        await page.waitForFunction((hash) => location.hash !== hash, before);
+        faults.push(...compareTool(await page.evaluate(readLesson)).slice(0, 3));
+    }
+    check(`exercise ${title}: a mistake has its word, right answers are right, other numbers come`, faults);
+}
+
 // A finger drags the vertex, on a small screen.
 async function fingers({ browser, open, check }) {
     const page = await open(browser, { viewport: { width: 360, height: 700 }, hasTouch: true }), before = await show(page, STATES[0]);
@@ -278,6 +319,9 @@ export async function useLessonMore(test) {
     await conventions(page, check, STATES[2], 'planes as coordinates');
     await conventions(page, check, 'demo=cube&size=96x64&view-matrix=1,0,0,0,0,1,0,0,0,0,1,-1,0,0,0,1&projection-matrix=1,0,0,0,0,1.5,0,0,0,0,-1.5,-5,0,0,-1,0&anyway=on&point=0,0,-2', 'typed matrices');
     await walk(page, check);
+    for (const exercise of exercises) {
+        await answers(page, check, exercise);
+    }
     await looks(test);
     await fingers(test);
     await page.context().close();
