@@ -44,12 +44,20 @@ static bool is_texture_right(const struct scene_file_head *head, const struct sc
            scene_file_inside(head, t->texels, texel_count(t), sizeof(uint16_t));
 }
 
+/* The bits of all shadings that a scene may have, and of those that draw a texture. */
+#define BIT(name, number, word, is_textured)             | 1u << (number)
+#define BIT_OF_TEXTURED(name, number, word, is_textured) | (uint32_t)(is_textured) << (number)
+
+static bool is_one_of(uint32_t shadings, uint8_t number)
+{
+    return number < SCENE_FILE_SHADINGS && (shadings >> number & 1) != 0;
+}
+
 /* Textures need coordinates, and coordinates are there for textures only. */
 static bool are_textures_right(const struct scene_file_head *head, const struct scene_file_mesh *m)
 {
     const bool has_texture = m->texture.texels != 0, has_alphas = m->alphas.texels != 0;
-    const bool is_textured = m->shading == SCENE_FILE_TEXTURE || m->shading == SCENE_FILE_TEXTURE_LIT ||
-                             m->shading == SCENE_FILE_TEXTURE_GOURAUD;
+    const bool is_textured = is_one_of(0 SCENE_FILE_SHADING_EACH(BIT_OF_TEXTURED), m->shading);
     return is_textured == has_texture && (has_texture || has_alphas) == (m->uvs != 0) &&
            (!has_texture || is_texture_right(head, &m->texture)) &&
            (!has_alphas || is_texture_right(head, &m->alphas)) &&
@@ -63,10 +71,9 @@ static bool is_share(int32_t share)
 
 static bool is_surface_right(const struct scene_file_mesh *m)
 {
-    return m->shading < SCENE_FILE_SHADINGS && m->shading != SCENE_FILE_WIRE && m->two_sided <= 1 &&
-           m->shininess_log2 <= 7 && m->blend <= SCENE_FILE_TIMES && m->alpha <= 32 && m->depth_bias <= 56 &&
-           is_share(m->ambient) && is_share(m->diffuse) && is_share(m->specular) &&
-           (m->blend != SCENE_FILE_MASK || m->alphas.texels != 0) &&
+    return is_one_of(0 SCENE_FILE_SHADING_EACH(BIT), m->shading) && m->two_sided <= 1 && m->shininess_log2 <= 7 &&
+           m->blend <= SCENE_FILE_TIMES && m->alpha <= 32 && m->depth_bias <= 56 && is_share(m->ambient) &&
+           is_share(m->diffuse) && is_share(m->specular) && (m->blend != SCENE_FILE_MASK || m->alphas.texels != 0) &&
            (m->blend != SCENE_FILE_OPAQUE || m->alphas.texels == 0);
 }
 

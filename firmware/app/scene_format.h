@@ -67,17 +67,17 @@ enum scene_file_filter_number { SCENE_FILE_NEAREST, SCENE_FILE_BILINEAR, SCENE_F
 
 enum scene_file_blend { SCENE_FILE_OPAQUE, SCENE_FILE_MASK, SCENE_FILE_ALPHA, SCENE_FILE_ADD, SCENE_FILE_TIMES };
 
-/* Numbers of shadings; a scene has no wires. */
-enum scene_file_shading_number {
-    SCENE_FILE_UNLIT,
-    SCENE_FILE_FLAT,
-    SCENE_FILE_GOURAUD,
-    SCENE_FILE_TEXTURE,
-    SCENE_FILE_TEXTURE_LIT,
-    SCENE_FILE_WIRE,
-    SCENE_FILE_TEXTURE_GOURAUD,
-    SCENE_FILE_SHADINGS
-};
+/* Shadings: the name after PH_SHADE_, the number in a scene, the name in a message, and whether a texture is drawn. 5
+ * is no scene's. */
+#define SCENE_FILE_SHADING_EACH(S)                                                                                     \
+    S(UNLIT, 0, "unlit", false)                                                                                        \
+    S(FLAT, 1, "flat", false)                                                                                          \
+    S(GOURAUD, 2, "gouraud", false)                                                                                    \
+    S(TEXTURE, 3, "texture", true)                                                                                     \
+    S(TEXTURE_LIT, 4, "texture-lit", true)                                                                             \
+    S(TEXTURE_GOURAUD, 6, "texture-gouraud", true)
+#define SCENE_FILE_NUMBER(name, number, word, is_textured) SCENE_FILE_##name = (number),
+enum scene_file_shading_number { SCENE_FILE_SHADING_EACH(SCENE_FILE_NUMBER) SCENE_FILE_SHADINGS };
 
 /* Positions of a mesh that moves are those of struct ph_bound, else those of struct ph_mesh. */
 struct scene_file_mesh {

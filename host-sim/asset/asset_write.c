@@ -1,6 +1,7 @@
 /* See asset_write.h. The C file of a model: const arrays, materials, and a demo that shows it. */
 #include "asset_write.h"
 #include "model_texture.h"
+#include "scene_format.h"
 
 #include <inttypes.h>
 
@@ -138,12 +139,9 @@ static void put_blend(FILE *file, const struct ph_blend *from, uint32_t m)
 
 static const char *shading_name(const struct ph_shading *shading)
 {
-    return shading == PH_SHADE_FLAT              ? "PH_SHADE_FLAT"
-           : shading == PH_SHADE_GOURAUD         ? "PH_SHADE_GOURAUD"
-           : shading == PH_SHADE_TEXTURE         ? "PH_SHADE_TEXTURE"
-           : shading == PH_SHADE_TEXTURE_LIT     ? "PH_SHADE_TEXTURE_LIT"
-           : shading == PH_SHADE_TEXTURE_GOURAUD ? "PH_SHADE_TEXTURE_GOURAUD"
-                                                 : "PH_SHADE_UNLIT";
+#define NAMED(name, number, word, is_textured) shading == PH_SHADE_##name ? "PH_SHADE_" #name:
+    return SCENE_FILE_SHADING_EACH(NAMED) NULL;
+#undef NAMED
 }
 
 static void put_material(FILE *file, const struct asset *asset, uint32_t m)
