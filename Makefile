@@ -23,7 +23,7 @@ misread = $(strip $(word 2,$(1))$(foreach c,' " ` ; & < > | * ? [ ] { } : % ! \ 
 $(if $(call misread,$(B)),$(error B='$(B)': make takes no folder with spaces or other special characters in its name))
 
 Q = $(if $(filter 1,$(V)),,@)
-SAY = $(if $(filter 1,$(V))$(findstring s,$(firstword -$(MAKEFLAGS))),@:,@printf '  %-7s %s\n')
+say = $(if $(filter 1,$(V))$(findstring s,$(firstword -$(MAKEFLAGS))),,@printf '  %-7s %s\n' $(1))
 
 WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef -Wcast-qual -Wwrite-strings \
        -Wpointer-arith -Wvla -Wformat=2
@@ -205,12 +205,12 @@ folder = @$(if $(filter $(@D)/,$(FOLDERS)),,mkdir -p $(@D))
 
 $(B)/%.o: %.c $(B)/flags
 	$(folder)
-	$(SAY) CC $<
+	$(call say,CC $<)
 	$(Q)$(COMPILE) -c $< -o $@
 
 $(B)/%.o: %.S $(B)/flags
 	$(folder)
-	$(SAY) AS $<
+	$(call say,AS $<)
 	$(Q)$(CC) $(CFLAGS) $(INC) -MMD -MP -c $< -o $@
 
 # The registry of boards: every folder of boards/ with a board.c, and those of BOARD_DIR. It is there before any object.
@@ -234,7 +234,7 @@ define rule_of_more
 $(B)/$(1)_more/%.o: $(2)/%.c $(B)/flags
 	@mkdir -p $$(@D)
 	@grep -qw '$(3)' '$$<' || { echo '$$<: defines no $(3)' >&2; exit 1; }
-	$$(SAY) CC $$<
+	$$(call say,CC $$<)
 	$$(Q)$$(COMPILE) -c $$< -o $$@
 	$$(Q)sed 's:$$<::' $$(@:.o=.d) >$$@.d && mv $$@.d $$(@:.o=.d) # a user's file may move
 endef
@@ -247,15 +247,15 @@ $(B)/libpinhole-hal.a: $(call objects,$(HAL) $(BOARDS)) $(BOARDS_MORE:%=$(B)/boa
 $(B)/libpinhole-app.a: $(call objects,$(APP_SRC)) $(DEMOS_MORE_O)
 $(B)/libpinhole-host.a: $(call objects,$(HOST))
 $(LIBS): $(B)/files
-	$(SAY) AR $@
+	$(call say,AR $@)
 	$(Q)rm -f $@.part; $(AR) rcs $@.part $(filter %.o,$^) && mv $@.part $@
 
 $(B)/libtests.a: $(TEST_OBJ) $(B)/flags
-	$(SAY) AR $@
+	$(call say,AR $@)
 	$(Q)rm -f $@.part; $(AR) rcs $@.part $(TEST_OBJ) && mv $@.part $@
 
 $(PROGRAMS): $(LIBS)
-	$(SAY) LD $@
+	$(call say,LD $@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(LIBS) -Wl,--as-needed $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 $(foreach p,$(PROGRAMS:$(B)/pinhole-%=%),$(eval $(B)/pinhole-$(p): $(B)/host-sim/$(p)/pinhole_$(p).o))
 $(B)/pinhole-depth: override LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=depth_layers_draw_mesh # depth_layers.c records what a demo draws
@@ -265,7 +265,7 @@ $(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph
 $(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=demo_draw_band,--defsym=__wrap_demo_draw_band=sim_show_draw_band # sim_show.c shows the depth buffer
 
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
-	$(SAY) LD $@
+	$(call say,LD $@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 
 $(B)/tests/app/test_labels: override LDFLAGS += -Wl,--wrap=ph_overlay_text,--defsym=__wrap_ph_overlay_text=labels_overlay_text # it looks at
@@ -275,11 +275,11 @@ $(B)/tests/hal/test_hal: $(B)/hal/template/template.o # a port, so it is in no l
 $(foreach f,$(wildcard host-sim/emulate/rp2350/*.c),$(eval $(B)/tests/host-sim/emulate/test_$(basename $(notdir $(f))): $(f:%.c=$(B)/%.o)))
 
 $(B)/rp2350-emulate: $(call objects,$(wildcard host-sim/emulate/rp2350/*.c) $(REGISTERS)) # for firmware/firmware.mk
-	$(SAY) LD $@
+	$(call say,LD $@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@.part && mv $@.part $@
 
 $(B)/rp2040-registers: $(call objects,$(wildcard host-sim/emulate/rp2040/*.c) $(REGISTERS)) # for its emulator, too
-	$(SAY) LD $@
+	$(call say,LD $@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@.part && mv $@.part $@
 
 core-objects: $(call objects,$(CORE))

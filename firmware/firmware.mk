@@ -130,7 +130,7 @@ firmware: $(SCENE_C) ## BOARD=x [APP=demos|depth|FILE.c] [SCENE=FILE.glb]: an im
 ifneq ($(if $(OUT),,$(SCENE_C)),)
 $(SCENE_C): $(B)/pinhole-asset FORCE
 	@mkdir -p $(@D)
-	$(SAY) ASSET '$(SCENE)'
+	$(call say,ASSET '$(SCENE)')
 	$(Q)$(B)/pinhole-asset '$(SCENE)' --out '$(@:.c=.new.c)' --board $(BOARD) --flash "$$(($(IMAGE_FLASH_BYTES) - $(SCENE_PROGRAM_BYTES)))" \
 	    --max-triangles $(SCENE_TRIANGLES) --texture-size $(SCENE_TEXTURE) $(SCENE_FLAGS)
 	@if cmp -s '$(@:.c=.new.c)' '$@'; then rm '$(@:.c=.new.c)'; else mv '$(@:.c=.new.c)' '$@'; fi
@@ -165,14 +165,14 @@ image-size: $(OUT).elf
 
 $(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
 	@mkdir -p $(@D)
-	$(SAY) CC $<
+	$(call say,CC $<)
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_APP) -Ifirmware/app/depthlab -Iboards \
 	    -MMD -MP -c $< -o $@
 	$(Q)sed 's:$(subst #,\\#,$(APP_FILE))::' $(@:.o=.d) >$(@:.o=.d.part) && mv $(@:.o=.d.part) $(@:.o=.d) # a user's file may move
 
 $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 	@mkdir -p $(@D)
-	$(SAY) CC $<
+	$(call say,CC $<)
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -MMD -MP -c $< -o $@
 
 BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,$(or $(FIRST_DEMO),$(firstword $(DEMOS_MORE)),turntable)) \
@@ -215,7 +215,7 @@ UF2_ELF := $(if $(UF2_APP_BASE),$(B)/uf2-$(notdir $(OUT)).elf,$(OUT).elf)
 $(filter-out $(OUT).elf,$(UF2_ELF)): $(OUT).elf
 $(sort $(OUT).elf $(UF2_ELF)): $(IMAGE_OBJ) $(STACK) $(STACK_CORE1) $(PORT_LD) $(wildcard hal/chips/cortexm/*.ld) $(if $(PORT_TIERS),$(B)/$(RAM_CODE)/ram_tiers.ld)
 	@mkdir -p $(@D)
-	$(SAY) LD $@
+	$(call say,LD $@)
 	$(Q)firmware/tools/link.sh '$@' '$(@:.elf=.map)' $(CC) $(CFLAGS) -nostartfiles $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \
 	    -Wl,--defsym=stack_bytes=$$(cat '$(STACK)'),--defsym=stack_core1_bytes=$$(cat '$(STACK_CORE1)'),--defsym=flash_base=$(or $(if $(filter $(OUT).elf,$@),$(UF2_BASE),$(UF2_APP_BASE)),0) $(IMAGE_OBJ) $(or $(PORT_LIBS),--specs=nano.specs)
 	$(Q)$(if $(PORT_FINISH),set -- '$@.part'; $(PORT_FINISH))

@@ -39,9 +39,10 @@ $(PAGE_WASM) &: FORCE
 	+$(Q)$(MAKE) --no-print-directory B='$(B)/wasm' CC='$(PAGE_CC)' AR=llvm-ar CPU=portable CFLAGS=-O2 HOST='$(PAGE_HOST)' \
 	    '$(B)/wasm/page.wasm' '$(B)/wasm/model.wasm'
 
-page_link = $(SAY) LD $@; $(CC) $(CFLAGS) -mexec-model=reactor -Wl,--export-dynamic,--strip-all,-z,stack-size=$(1) $(filter %.o %.a,$^) -o $@
+page_link = $(CC) $(CFLAGS) -mexec-model=reactor -Wl,--export-dynamic,--strip-all,-z,stack-size=$(1) $(filter %.o %.a,$^) -o $@
 PAGE_SIM_O := $(patsubst %,$(B)/$(PAGE)/%.o,page page_flash guard)
 $(B)/page.wasm: $(PAGE_SIM_O) $(LIBS)
+	$(call say,LD $@)
 	$(Q)$(call page_link,262144) -lc-printscan-long-double $(foreach pair,$(PAGE_WRAPPED),-Wl,--wrap=$(firstword $(subst =, ,$(pair))))
 
 # What pinhole-sim replaces at link time, as NAME=REPLACEMENT: the linker for WebAssembly has no --defsym, so that the replacements are
@@ -52,6 +53,7 @@ $(if $(findstring wasm32,$(CC)),$(eval $$(B)/host-sim/sim/%.o: DEFS += $(foreach
 # A hostile model may ask for memory: 1.5 GiB are the most that the module gets.
 PAGE_MODEL_O := $(call objects,$(wildcard $(PAGE)/model/*.c))
 $(B)/model.wasm: $(PAGE_MODEL_O) $(LIBS)
+	$(call say,LD $@)
 	$(Q)$(call page_link,4194304) -Wl,--max-memory=1610612736
 
 $(PAGE_SIM_O): INC = $(INC_HOST) $(call rooms,host-sim,sim controllers flash model asset)
