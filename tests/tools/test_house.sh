@@ -198,39 +198,65 @@ a_named_function() { # text
 
 # ---- walls ---------------------------------------------------------------------------------------
 
-# A source file of this room that includes this header must not compile, for want of the header and nothing else.
-wall() { # room, header
-    local status=0
-    [ -e "$dir/house" ] || { mkdir "$dir/house" && cp -r Makefile firmware hal boards host-sim "$dir/house"; } || return 1
-    printf '#include "%s"\nextern int nothing;\n' "$2" >"$dir/house/$1/wrong.c"
-    make -s -C "$dir/house" B=walls "walls/$1/wrong.o" >"$dir/wall" 2>&1 || status=$?
-    rm "$dir/house/$1/wrong.c"
-    [ "$status" != 0 ] || { echo "$1 can include $2" && return 1; }
-    grep -q "$2: No such file" "$dir/wall" || { cat "$dir/wall" && return 1; }
+# A source file of a room that includes a header of another must not compile, for want of the header and nothing else. One make
+# tries all of them. stdin: rooms and headers.
+wall() {
+    local n=0 room header goals=() house=$dir/house
+    [ -e "$house" ] || { mkdir "$house" && cp -r Makefile firmware hal boards host-sim "$house"; } || return 1
+    cat >"$dir/walls"
+    while read -r room header; do
+        n=$((n + 1))
+        printf '#include "%s"\nextern int nothing;\n' "$header" >"$house/$room/wrong$n.c"
+        goals+=("walls/$room/wrong$n.o")
+    done <"$dir/walls"
+    make -k -s -j2 -C "$house" B=walls "${goals[@]}" >"$dir/wall" 2>&1
+    n=0
+    while read -r room header; do
+        rm "$house/$room/wrong$((++n)).c"
+        [ ! -e "$house/walls/$room/wrong$n.o" ] || { echo "$room can include $header" && return 1; }
+        grep -q "^$room/wrong$n.c:1.* $header: No such file" "$dir/wall" || { cat "$dir/wall" && return 1; }
+    done <"$dir/walls"
+    [ "$n" -gt 0 ]
 }
 
 # A header of a folder, the folder's own first.
 header_of() { find "$1" -maxdepth 1 -name '*.h' | sort | sed -n '1s|.*/||p'; }
 
 walls() {
-    wall firmware/core/render hal.h && wall firmware/core/geom runner.h && wall firmware/core/fx "$(header_of firmware/core/render)" &&
-        wall firmware/core/geom "$(header_of firmware/core/render)" && wall firmware/app/demos "$(header_of firmware/core/render)" &&
-        wall firmware/app/demos options.h && wall hal/panel runner.h && wall hal/linux render.h && wall boards/pico-display runner.h &&
-        wall host-sim/sheet "$(header_of host-sim/sim)" && wall host-sim/sheet sim.h && wall host-sim/flash "$(header_of host-sim/model)" &&
-        wall host-sim/common "$(header_of host-sim/model)" && wall host-sim/emulate/rp2350 hal.h && wall host-sim/emulate/registers complain.h && wall host-sim/depth "$(header_of firmware/core/kernels)"
+    wall <<END
+firmware/core/render hal.h
+firmware/core/geom runner.h
+firmware/core/fx $(header_of firmware/core/render)
+firmware/core/geom $(header_of firmware/core/render)
+firmware/app/demos $(header_of firmware/core/render)
+firmware/app/demos options.h
+hal/panel runner.h
+hal/linux render.h
+boards/pico-display runner.h
+host-sim/sheet $(header_of host-sim/sim)
+host-sim/sheet sim.h
+host-sim/flash $(header_of host-sim/model)
+host-sim/common $(header_of host-sim/model)
+host-sim/emulate/rp2350 hal.h
+host-sim/emulate/registers complain.h
+host-sim/depth $(header_of firmware/core/kernels)
+END
 }
 
 # Lines of lists of wrong writes and mutants (long_wrong_writes.sh, long_mutants.sh, long_proof.sh) whose sed expression changes nothing.
 idle_changes() { # list...
-    local line what file change
+    local line what file change before after
+    local -A text
     grep -hv '^#' "$@" | while IFS= read -r line; do
         what=${line%% | *} line=${line#* | * | }
         file=${line%% | *} change=${line#* | }
-        ! sed -e "$change" "$file" | cmp -s - "$file" || echo "changes nothing: $what"
+        [ -n "${text[$file]-}" ] || text[$file]=$(<"$file")
+        before=${text[$file]} after=$(sed -e "$change" "$file")
+        [ "$before" != "$after" ] || echo "changes nothing: $what"
     done
 }
 
-a_hole() { wall firmware/core/render render.h; } # which every room of the core may include
+a_hole() { wall <<<"firmware/core/render render.h"; } # which every room of the core may include
 
 make -s -j2 B="$B" all >"$dir/made" 2>&1 || { cat "$dir/made" && exit 1; }
 check "libpinhole.a exports names with ph_ and fx_ only" none core_symbols
