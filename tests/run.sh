@@ -28,13 +28,15 @@ fi
 slow_units='test_panel_diff test_ft232h test_runner test_quality test_depth_slopes test_depth_planes'
 slow_sanitized="$slow_units test_cores test_fisheye test_wire test_depth_mpfr test_levels test_watertight"
 slow_sanitized+=' test_depth test_demos test_gif_out test_ahead test_depth_mesa test_fx_math test_shadow test_panel_tiles'
+slow_sanitized+=' test_fx test_vertices test_counters test_sim_table test_dither test_texture test_demo_views test_coverage'
+slow_sanitized+=' test_model_load test_depth_separation test_sim_page test_points'
 unit_tests='tests/*/test_*.c tests/*/*/test_*.c'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.
-first='test_guest_hal test_page test_asset_cli test_firmware_rp2350 test_kernels test_size
+first='test_page test_firmware_rp2350 test_size test_asset_cli test_kernels test_small test_targets
 test_house test_sim_cli test_readme test_firmware_scene
 long_boards_rp2040 long_firmware_rp2350 exhaustive_fx_math exhaustive_fx long_guest_soak long_guest_panel_boards long_mutants long_proof
-long_debian13 long_bare long_guest_flash_cuts long_guest_usb long_guest_panel long_make long_firmware_rp2040 long_firmware_rp2350_emulated long_firmware long_firmware_lm3s long_guest_flash'
+long_debian13 long_bare long_guest_backends long_guest_flash_cuts long_guest_usb long_guest_panel long_make long_firmware_rp2040 long_firmware_rp2350_emulated long_firmware long_firmware_lm3s long_guest_flash'
 
 export B=${B:-build} CC=${CC:-cc} CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS=
 export MALLOC_PERTURB_=165 # memory that a program forgets to set is never 0 (glibc)
@@ -49,9 +51,11 @@ make_args= # as one word, for the jobs
 [ $# = 0 ] || printf -v make_args '%q ' "$@"
 export make_args
 
-# Counts TAP: "passed failed skipped". A plan that was not kept fails, and so does a bad exit without a failed test.
-count() { # log, exit status
+# Counts TAP: "passed failed skipped". A plan that was not kept fails, and so does a bad exit without a failed test. Then the
+# processor time of what `times` in bash wrote.
+count() { # log, exit status, times
     awk -v status="$2" '
+        FILENAME == ARGV[2] { if (FNR == 2) { gsub(/[ms]/, " "); cpu_s = 60 * $1 + $2 + 60 * $3 + $4 } next }
         /^1\.\.[0-9]+/ { planned += substr($1, 4) }
         /^(not )?ok [0-9]+.*# SKIP/ { skipped++; next }
         /^ok [0-9]/ { passed++ }
@@ -62,8 +66,8 @@ count() { # log, exit status
             else if (seen == 0 && status == 77) { skipped++ }
             else if (seen == 0 && status == 0) { passed++ }
             else if (status != 0 && failed == 0) { failed++ }
-            print passed + 0, failed + 0, skipped + 0
-        }' "$1"
+            printf "%d %d %d %.0f\n", passed, failed, skipped, cpu_s
+        }' "$1" "$3"
 }
 
 # Headers of libraries that a source file, or what it includes of the tests' own, asks for and this machine lacks.
@@ -76,41 +80,39 @@ lacks() {
 
 prepare() { # build directory, source: status 77 when it cannot be built here, 1 when it is broken
     local what
-    [ "$1" != - ] || return 0
+    [[ " - $built " != *" $1 "* ]] || return 0 # everything was
     what=$(lacks "$2")
     [ -z "$what" ] || { echo "not here: $what" && return 77; }
     what=$1/${2%.c}
-    [[ " $built " != *" $1 "* ]] || return 0 # everything was
     eval "make -s V=1 $make_args B=$1 ${CFLAGS_JOB:+CFLAGS='$CFLAGS_JOB'} $what" 2>&1 || { echo "does not build" && return 1; }
 }
 
+# Few processes: there are hundreds of jobs, and many tests take less than a process does.
 job() { # name, build directory (- for a script), source, [argument]
-    local name=$1 log=$B/log/$1.log status=0 start=$SECONDS word=ok program passed failed skipped cpu_s
+    local name=$1 log=$B/log/$1.log status=0 start=$SECONDS word=ok program=$3 passed failed skipped cpu_s so_far line
     : >"$running/$name"
-    case "$2" in
-    -) program=$3 ;;
-    *) program=$2/${3%.c} ;;
-    esac
+    [ "$2" = - ] || program=$2/${3%.c}
     [[ $name != *.asan ]] || export CFLAGS_JOB=$sanitize
     prepare "$2" "$3" >"$log" || status=$?
     if [ $status = 0 ]; then
         { timeout -k 5 "$limit_s" "$program" ${4:+"$4"} </dev/null || status=$?; } >>"$log" 2>&1
         [ $status != 124 ] || echo "stopped after $limit_s s" >>"$log"
     fi
-    read -r passed failed skipped < <(count "$log" $status)
+    times >"$running/$name"
+    read -r passed failed skipped cpu_s < <(count "$log" $status "$running/$name")
     [ "$passed$failed" != 00 ] || word=skip
     [ "$failed" = 0 ] || word=FAIL
     echo "$passed $failed $skipped" >>"$results"
-    times >"$log.times"
-    cpu_s=$(awk 'NR == 2 { gsub(/[ms]/, " "); printf "%.0f", 60 * $1 + $2 + 60 * $3 + $4 }' "$log.times")
-    {
-        printf '%-4s %3d/%d %-32s %d passed, %d failed, %d skipped (%d s, processor %d s)\n' $word "$(wc -l <"$results")" "$jobs" \
-            "$name" "$passed" "$failed" "$skipped" $((SECONDS - start)) "$cpu_s"
-        [ $word != ok ] || grep '# SKIP' "$log" | sed 's/^/     | /'
-        [ $word = ok ] || { grep '^not ok' "$log" | head -n 20 && echo ... && tail -n 40 "$log"; } | sed 's/^/     | /'
-    } >"$log.short"
-    cat "$log.short"
-    rm -f "$log.short" "$log.times" "$running/$name"
+    mapfile -t so_far <"$results"
+    printf -v line '%-4s %3d/%d %-32s %d passed, %d failed, %d skipped (%d s, processor %d s)' $word ${#so_far[@]} "$jobs" \
+        "$name" "$passed" "$failed" "$skipped" $((SECONDS - start)) "$cpu_s"
+    if [ $word != ok ]; then
+        line+=$'\n'$({ grep '^not ok' "$log" | head -n 20 && echo ... && tail -n 40 "$log"; } | sed 's/^/     | /')
+    elif [ "$skipped" != 0 ]; then
+        line+=$'\n'$(grep '# SKIP' "$log" | sed 's/^/     | /')
+    fi
+    printf '%s\n' "$line"
+    rm -f "$running/$name"
 }
 
 # Says every half a minute how many jobs are done, and for how long which have been running.
