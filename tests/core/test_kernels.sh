@@ -105,7 +105,7 @@ for cpu in armv6m armv7m; do
     long "the_frames_with_the_loops_for_${cpu}_are_the_same" same_frames $cpu
 done
 without=-U__ARM_FEATURE_DSP long "the_loops_for_armv7m_without_DSP_leave_the_same" same_loops armv7m
-short "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/add r12, r2/nop/' 'small_gouraud small_knee long_gouraud small_dithered knee_dithered long_dithered'
+long "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/add r12, r2/nop/' 'small_gouraud small_knee long_gouraud small_dithered knee_dithered long_dithered'
 long "a_block_too_few_in_a_long_row_for_armv7m_is_seen" change_is_seen armv7m small_gouraud 's/lsrs r0, r1, #5/lsrs r0, r1, #6/' 'long_gouraud long_dithered'
 long "four_pixels_drawn_where_two_are_hidden_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/orrs r5, r6/tst r5, r5/' 'long_gouraud long_dithered'
 long "a_pixel_lost_behind_four_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/b pixel_15/b row_end/' 'long_gouraud long_dithered'

@@ -149,7 +149,7 @@ if [ -n "$board_why" ]; then
     skip "the virtual board on Debian 13" "$board_why"
 else
     timed "pinhole-panel uses libgpiod 2" debian13 bash -c 'ldd build/pinhole-panel | grep "libgpiod\.so\.3"'
-    script "the backends keep hal.h's contract with libgpiod 2" tests/guest/test_guest_hal.sh
+    script "the backends keep hal.h's contract with libgpiod 2" tests/guest/long_guest_backends.sh
     script "pinhole-panel drives the virtual board with libgpiod 2" tests/guest/long_guest_panel.sh
     timed "picotool finds what pinhole-flash wrote" picotool_verifies_the_flash
 fi

@@ -1,7 +1,7 @@
 /*
  * The conformance test of hal.h, for every backend. A new backend is one line in `backends` and a function that
  * prepares its kit. hal/template is a port, but its operations run here, too. Backends that need hardware are tested in
- * the guest: test_guest_hal.sh starts this program in it.
+ * the guest: long_guest_backends.sh starts this program in it.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -8,17 +8,18 @@ cd "$(dirname "$0")/../.." || exit 1
 unset MAKEFLAGS
 export B=${B:-build}
 lacks=$(tests/host-sim/page/browser.sh --lacks) || { echo "$lacks" && exit 77; }
-made=$(make -s B="$B" page "$B/pinhole-sim" "$B/pinhole-asset" "$B/pinhole-flash" 2>&1) || { echo "$made" && [[ $made = *'no compiler for WebAssembly'* ]] && exit 77 || exit 1; }
-for board in $("$B/pinhole-sim" --list | sed -n 's/^board  *\([^ ]*\).*/\1/p'); do
+made=$(make -s -j2 B="$B" page "$B/pinhole-sim" "$B/pinhole-asset" "$B/pinhole-flash" 2>&1) || { echo "$made" && [[ $made = *'no compiler for WebAssembly'* ]] && exit 77 || exit 1; }
+mapfile -t all < <("$B/pinhole-sim" --list | sed -n 's/^board  *\([^ ]*\).*/\1/p')
+for board in "${all[@]}"; do
     ! in_share || boards+=("$board")
 done
 check "the page draws what pinhole-sim draws on ${boards[*]}" tests/host-sim/page/browser.sh '' '' "${boards[@]}"
 
 try=$(mktemp -d) || exit 1
 trap 'rm -rf "$try"' EXIT
-check "models, and what the tools make of them" tests/host-sim/page/models.sh "$try" "${boards[@]}"
-check "fingers, widths and models of all kinds in the page" tests/host-sim/page/browser.sh "$try" 'looks models'
-check "the lesson by pointer, fingers and keys, its lines of C, and what lectures ask for" tests/host-sim/page/browser.sh "$try" lessons
+uses() { tests/host-sim/page/models.sh "$try" "${all[@]}" && tests/host-sim/page/browser.sh "$try" 'looks models'; }
+! in_share || check "fingers, widths and models of all kinds in the page" uses
+! in_share || check "the lesson by pointer, fingers and keys, its lines of C, and what lectures ask for" tests/host-sim/page/browser.sh "$try" lessons
 
 the_readers_memory_ends() { # at 1.5 GiB, which are 24576 pages
     node -e 'const module = new WebAssembly.Module(require("fs").readFileSync(process.argv[1])), imports = {};
@@ -51,7 +52,9 @@ runs() { # image's name, board, chip
         "$B/pinhole-sim" --model "$try/$1.phs" --board "$2" --frames 3 --crc >"$try/expected" && grep '^frame' "$try/said" | diff - "$try/expected" || { cat "$try/said" && return 1; }
 }
 
-if command -v arm-none-eabi-gcc >/dev/null && command -v riscv64-unknown-elf-gcc >/dev/null; then
+if ! in_share; then
+    tap_end
+elif command -v arm-none-eabi-gcc >/dev/null && command -v riscv64-unknown-elf-gcc >/dev/null; then
     check "the kits' images are made" host-sim/page/kits.sh "$B/page/kits" pico-display pico2-display-2
     cp "$B/firmware/pico-display-demos-cores2.bin" "$try/image.bin"
     check "the part To the kit" tests/host-sim/page/browser.sh "$try" send

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
 export B=${B:-build}
 command -v node >/dev/null || { echo "no node: apt-get install nodejs" && exit 77; }
-made=$(make -s B="$B" page "$B/pinhole-sim" "$B/pinhole-asset" 2>&1) || { echo "$made" && [[ $made = *'no compiler for WebAssembly'* ]] && exit 77 || exit 1; }
+made=$(make -s -j2 B="$B" page "$B/pinhole-sim" "$B/pinhole-asset" 2>&1) || { echo "$made" && [[ $made = *'no compiler for WebAssembly'* ]] && exit 77 || exit 1; }
 try=$(mktemp -d) || exit 1
 trap 'rm -rf "$try"' EXIT
 

@@ -1,5 +1,5 @@
 /* gpio: what hal/linux/gpiod1 asks of version 1 of libgpiod, which the test plays, and what it makes of the answers.
- * (Version 2 is used with the kernel's own lines: test_guest_hal.sh on Debian 13.) */
+ * (Version 2 is used with the kernel's own lines: long_guest_backends.sh on Debian 13.) */
 #include <gpiod.h> /* tests/run.sh skips this program where the library is not installed */
 
 #include <setjmp.h>
