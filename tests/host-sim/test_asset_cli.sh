@@ -125,11 +125,11 @@ the_three_forms_are_one_picture() { # the file, the C scene and the binary scene
     local model
     echo "$unlit" >"$dir/unlit.gltf"
     for model in "$scene" "$dir/sphere.obj" "$dir/unlit.gltf" "$moving" tests/host-sim/asset/surfaces.gltf; do
-        "$asset" "$model" -o "$dir/3.c" && "$asset" "$model" -o "$dir/3.phs" && compile "$dir/3.c" "$dir/3" && "$dir/3" pico-display 4 32 | grep '^frame' | cut -d' ' -f4 >"$dir/3.compiled" &&
-            "$B/pinhole-sim" --model "$model" --board pico-display --frames 128 --crc | cut -d' ' -f4 >"$dir/3.model" &&
-            "$B/pinhole-sim" --model "$dir/3.phs" --board pico-display --frames 128 --crc | cut -d' ' -f4 >"$dir/3.binary" || return 1
+        "$asset" "$model" -o "$dir/3.c" && "$asset" "$model" -o "$dir/3.phs" && compile "$dir/3.c" "$dir/3" && "$dir/3" pico-display 4 12 | grep '^frame' | cut -d' ' -f4 >"$dir/3.compiled" &&
+            "$B/pinhole-sim" --model "$model" --board pico-display --frames 48 --crc | cut -d' ' -f4 >"$dir/3.model" &&
+            "$B/pinhole-sim" --model "$dir/3.phs" --board pico-display --frames 48 --crc | cut -d' ' -f4 >"$dir/3.binary" || return 1
         # shellcheck disable=SC2015 # each part prints or not, and a failure of any is one
-        cmp "$dir/3.model" "$dir/3.binary" && [ "$(wc -l <"$dir/3.compiled")" = 4 ] && cmp "$dir/3.compiled" <(awk 'NR % 32 == 1' "$dir/3.binary") || { echo "$model" && return 1; }
+        cmp "$dir/3.model" "$dir/3.binary" && [ "$(wc -l <"$dir/3.compiled")" = 4 ] && cmp "$dir/3.compiled" <(awk 'NR % 12 == 1' "$dir/3.binary") || { echo "$model" && return 1; }
     done
     [ "$("$B/pinhole-sim" --model "$dir/3.phs" --view turntable --size 64x64 --crc | wc -l)" = 1 ] && truncate -s -4 "$dir/3.phs" &&
         ! "$B/pinhole-sim" --model "$dir/3.phs" --crc 2>"$dir/said" && grep -q 'is not whole' "$dir/said" && [ "$(wc -l <"$dir/said")" = 1 ]

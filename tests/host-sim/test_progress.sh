@@ -54,7 +54,7 @@ what=resolve depth plot resolve --near .1 --far 1000 --out "$dir/plot.svg"
 what='[a-z]+' depth all "${large[@]}" --out "$dir/report"
 long "pinhole-sim says how far it is" tells frames "$B/pinhole-sim" --demo cube --size 512x512 --frames 1000000 --out "$dir/frames"
 short "pinhole-sim with CRCs in a file says how far it is" tells frames "$B/pinhole-sim" --demo cube --size 512x512 --frames 1000000 --crc
-short "lines are few and whole" few_lines_come
+long "lines are few and whole" few_lines_come
 short "short work says nothing" short_work_says_nothing
 short "PINHOLE_PROGRESS=off keeps it quiet" nothing_is_said_where_it_is_not_wanted
 tap_end
