@@ -33,7 +33,7 @@ slow_sanitized+=' test_model_load test_depth_separation test_sim_page test_point
 unit_tests='tests/*/test_*.c tests/*/*/test_*.c'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.
-first='test_page test_firmware_rp2350 test_size test_asset_cli test_kernels test_small test_targets
+first='test_firmware_rp2350 test_size test_asset_cli test_kernels test_small test_targets
 test_house test_sim_cli test_readme test_firmware_scene
 long_boards_rp2040 long_firmware_rp2350 exhaustive_fx_math exhaustive_fx long_guest_soak long_guest_panel_boards long_mutants long_proof
 long_debian13 long_bare long_guest_backends long_guest_flash_cuts long_guest_usb long_guest_panel long_make long_firmware_rp2040 long_firmware_rp2350_emulated long_firmware long_firmware_lm3s long_guest_flash'
