@@ -301,7 +301,6 @@ struct ph_list {
     uint32_t band_scale;             /* 2^20 / band_height, rounded up */
     uint16_t stage; /* 0: closed, because no frame has begun, or its bands are made; 1: open; 2: full */
     uint16_t band;  /* the band that is drawn next */
-    uint64_t own[PH_OWN_BYTES / 8];
 };
 
 struct ph_lines;
@@ -348,29 +347,30 @@ struct ph_renderer {
  * it must not be moved. */
 struct ph_renderer {
     struct ph_config config; /* with samples its sizes count samples: width, height and band_height are doubled */
-    struct ph_stats stats;
-    struct ph_lens lens;
-    struct ph_projection projection; /* as given; lens is made from it */
-    struct ph_xform view;            /* world to view */
-    uint32_t view_norm;              /* for bounds.c: by how much view can make a vector longer; 0: not known yet */
-    struct ph_scene_light light;
     struct ph_list list;
+    uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     struct ph_triangle *carried, *slots; /* triangles that continue in the next band; slots that are unused again */
     struct ph_triangle *ahead;           /* triangles of the next band that two cores have set up already, or NULL */
     uint32_t slots_used[2];              /* bytes behind list.used of vertices and triangles that are slots */
-    uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
+    struct ph_stats stats;
+    struct ph_lens lens;
     uint32_t band_count;
     uint16_t background;
-    uint8_t samples_log2;            /* 1 with samples, else 0: log2 of samples a pixel each way */
-    bool is_shown;                   /* config.shown holds what the display shows */
-    const struct ph_blending *after; /* draws what comes after the opaque; or NULL */
-    uint32_t rows_place, rows;       /* rows of pixels that blended triangles are drawn into */
-    const struct ph_fogging *fog;    /* fogs bands; or NULL */
-    struct ph_fog fog_of;
+    uint8_t samples_log2;             /* 1 with samples, else 0: log2 of samples a pixel each way */
+    bool is_shown;                    /* config.shown holds what the display shows */
+    const struct ph_blending *after;  /* draws what comes after the opaque; or NULL */
+    uint32_t rows_place, rows;        /* rows of pixels that blended triangles are drawn into */
+    const struct ph_fogging *fog;     /* fogs bands; or NULL */
     const struct ph_lines *lines;     /* sets up lines, if there are any: see line.h */
     const struct ph_pointing *points; /* draws points, or NULL: see points.h */
     uint32_t clouds, last_cloud;      /* places of the first and the last struct ph_cloud */
-    uint32_t fog_codes[32];           /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
+    struct ph_projection projection;  /* as given; lens is made from it */
+    struct ph_xform view;             /* world to view */
+    uint32_t view_norm;               /* for bounds.c: by how much view can make a vector longer; 0: not known yet */
+    struct ph_scene_light light;
+    struct ph_fog fog_of;
+    uint32_t fog_codes[32];         /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
+    uint64_t own[PH_OWN_BYTES / 8]; /* last, so that the other members are near the address of the struct */
 };
 #endif
 

@@ -37,7 +37,7 @@ PH_TIER(mesh) static size_t room_of(const struct ph_renderer *r, int piece)
 {
     const struct ph_config *c = &r->config;
     const uint8_t *const refs = (const uint8_t *)r->list.to;
-    return piece == OWN         ? sizeof r->list.own
+    return piece == OWN         ? sizeof r->own
            : piece == TRIANGLES ? (size_t)(refs - (const uint8_t *)c->triangles)
            : is_shared(r)       ? 0
                                 : c->vertex_max * ph_vertex_bytes;

@@ -54,7 +54,7 @@ struct ph_draw {
 static inline void *ph_at(const struct ph_renderer *r, uint32_t place)
 {
     const unsigned piece = place >> 30;
-    const uint8_t *const base = piece == 0   ? (const uint8_t *)r->list.own
+    const uint8_t *const base = piece == 0   ? (const uint8_t *)r->own
                                 : piece == 1 ? (const uint8_t *)r->config.vertices
                                              : (const uint8_t *)r->config.triangles;
     return (void *)(uintptr_t)(base + (place & 0x3fffffff));

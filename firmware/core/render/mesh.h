@@ -19,14 +19,14 @@ struct ph_part_context {
     const struct ph_clip_matrix *matrix;
     struct ph_vertex *vertices;
     struct ph_draw draw;
-    struct ph_local_lights lights;
     uint32_t codes;                       /* clip codes of all vertices, combined by OR */
     const struct ph_lighting *lighting;   /* NULL: vertices have no light */
     const struct ph_part_lighting *parts; /* NULL: nothing can be lit */
     const struct ph_curved_lens *curved;  /* NULL: straight lines stay straight */
     bool lit, two_sided;
-    bool coloured, lit_coloured; /* the part has lit colours; lit_as has them */
-    bool mixed;                  /* the vertices have the lights of several materials */
+    bool coloured, lit_coloured;   /* the part has lit colours; lit_as has them */
+    bool mixed;                    /* the vertices have the lights of several materials */
+    struct ph_local_lights lights; /* last, as in struct ph_renderer */
 };
 
 /* Lights the vertices of a part. Lit shadings and PH_COLOURS name it; the linker leaves it out of a program without. */
