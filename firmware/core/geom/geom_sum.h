@@ -44,4 +44,7 @@ static inline int32_t geom_near_row(const int32_t row[3], int32_t x, int32_t y, 
     return (((((low >> 10) + middle) >> 10) + high) >> 10) + c;
 }
 
+/* ph_xform_mul, faster where b stands near the origin of a, at the price of ph_xform_point in the program. */
+struct ph_xform geom_mul_near(const struct ph_xform *a, const struct ph_xform *b);
+
 #endif

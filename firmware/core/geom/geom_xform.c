@@ -96,16 +96,32 @@ static bool only_scales(const struct ph_xform *m)
     return (m->r[0][1] | m->r[0][2] | m->r[1][0] | m->r[1][2] | m->r[2][0] | m->r[2][1]) == 0;
 }
 
-PH_TIER(figure) struct ph_xform ph_xform_mul(const struct ph_xform *a, const struct ph_xform *b)
+/* The rotation of a product. */
+PH_TIER(figure) static void mul_rows(const struct ph_xform *a, const struct ph_xform *b, struct ph_xform *m)
 {
     const bool scales = only_scales(b);
-    struct ph_xform m;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            m.r[i][j] = scales ? fx_sat64((fx_mul_wide(a->r[i][j], b->r[j][j]) + FX_Q30_ONE / 2) >> 30)
-                               : wide_row_times(a->r[i], b->r[0][j], b->r[1][j], b->r[2][j], 0);
+            m->r[i][j] = scales ? fx_sat64((fx_mul_wide(a->r[i][j], b->r[j][j]) + FX_Q30_ONE / 2) >> 30)
+                                : wide_row_times(a->r[i], b->r[0][j], b->r[1][j], b->r[2][j], 0);
         }
     }
+}
+
+PH_TIER(figure) struct ph_xform ph_xform_mul(const struct ph_xform *a, const struct ph_xform *b)
+{
+    struct ph_xform m;
+    mul_rows(a, b, &m);
+    m.t = (struct fx_vec3){wide_row_times(a->r[0], b->t.x, b->t.y, b->t.z, a->t.x),
+                           wide_row_times(a->r[1], b->t.x, b->t.y, b->t.z, a->t.y),
+                           wide_row_times(a->r[2], b->t.x, b->t.y, b->t.z, a->t.z)};
+    return m;
+}
+
+PH_TIER(figure) struct ph_xform geom_mul_near(const struct ph_xform *a, const struct ph_xform *b)
+{
+    struct ph_xform m;
+    mul_rows(a, b, &m);
     m.t = ph_xform_point(a, b->t);
     return m;
 }

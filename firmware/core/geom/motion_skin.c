@@ -3,6 +3,7 @@
  * overflow: the bounds stand beside them. Sums are made in uint32_t, where what a caller breaks wraps.
  */
 /* Kits on armv6m: -O2. */
+#include "geom_sum.h"
 #include "motion.h"
 #include "tier.h"
 
@@ -12,7 +13,7 @@ void ph_skin_matrices(const struct ph_skin *skin, const struct ph_xform *places,
 {
     for (uint32_t i = 0; i < skin->joint_count; i++) {
         const struct ph_xform *const joint = &places[skin->nodes[i]];
-        matrices[i] = skin->inverse_bind ? ph_xform_mul(joint, &skin->inverse_bind[i]) : *joint;
+        matrices[i] = skin->inverse_bind ? geom_mul_near(joint, &skin->inverse_bind[i]) : *joint;
     }
 }
 
