@@ -11,21 +11,12 @@ enum { PLANE_NEAR, PLANE_FAR, PLANE_LEFT, PLANE_RIGHT, PLANE_TOP, PLANE_BOTTOM, 
 /* Distance from a plane, positive inside. Its scale does not matter; it is below 2^46. */
 PH_TIER(few) static int64_t distance(const struct ph_lens *lens, const struct ph_clip_vertex *v, int plane)
 {
-    const int64_t guard = (int64_t)v->w * 8, scale = (int64_t)1 << lens->guard_up;
-    switch (plane) {
-    case PLANE_NEAR:
-        return (int64_t)v->z - lens->near_z;
-    case PLANE_FAR:
-        return (int64_t)lens->far_z - v->z;
-    case PLANE_LEFT:
-        return guard + v->x * scale;
-    case PLANE_RIGHT:
-        return guard - v->x * scale;
-    case PLANE_TOP:
-        return guard + v->y * scale;
-    default:
-        return guard - v->y * scale;
+    if (plane <= PLANE_FAR) {
+        return plane == PLANE_NEAR ? (int64_t)v->z - lens->near_z : (int64_t)lens->far_z - v->z;
     }
+    const int64_t guard = (int64_t)v->w * 8;
+    const int64_t at = (int64_t)((uint64_t)(int64_t)v->value[(plane - PLANE_LEFT) / 2] << lens->guard_up); /* x or y */
+    return (plane - PLANE_LEFT) % 2 == 0 ? guard + at : guard - at;
 }
 
 PH_TIER(few) static int32_t lerp_q30(int32_t a, int32_t b, int32_t t_q30)

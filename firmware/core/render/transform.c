@@ -126,17 +126,19 @@ PH_TIER(mesh) static int64_t rounded_centre(int32_t centre, int down)
     return (int64_t)((uint64_t)((uint32_t)centre << down | (uint32_t)1 << (down - 1)) << 32);
 }
 
-/* Prepares ph_vertices. False if it cannot take any vertex: it needs a perspective with a near plane below 4096.0, and
- * a focal length and a matrix within its range. */
+/* Prepares ph_vertices. It takes vertices of a perspective with a near plane below 4096.0, and a focal length within
+ * its range. In front of all others it stops, with their place: none has `w` = -2^31. */
 PH_TIER(mesh)
-static bool start_run(struct ph_vertex_run *run, const struct ph_renderer *r, const struct ph_clip_matrix *m)
+static void start_run(struct ph_vertex_run *run, const struct ph_renderer *r, const struct ph_clip_matrix *m)
 {
     const struct ph_lens *lens = &r->lens;
     const uint32_t near = (uint32_t)lens->near_z, far = (uint32_t)lens->far_z;
     const int down = 17 - lens->focal_log2;
     ph_matvec_prepare(&run->matvec, m);
-    if (lens->kind != PH_PERSPECTIVE || near >= FAST_W || down < 1 || run->matvec.range == 0) {
-        return false;
+    if (lens->kind != PH_PERSPECTIVE || near >= FAST_W || down < 1) {
+        run->near = (uint32_t)1 << 31;
+        run->range = 0;
+        return;
     }
     run->near = near;
     run->range = (far < FAST_W ? far : FAST_W - 1) - near;
@@ -148,7 +150,6 @@ static bool start_run(struct ph_vertex_run *run, const struct ph_renderer *r, co
     run->bottom = (uint32_t)r->config.height * 256;
     run->guard_up = lens->guard_up;
     run->down = (uint32_t)down;
-    return true;
 }
 
 PH_TIER(mesh)
@@ -157,18 +158,6 @@ struct ph_clip_vertex ph_clip_place(const struct ph_lens *lens, const struct ph_
     const int32_t x = ph_matrix_row_mul(m, 0, p), y = ph_matrix_row_mul(m, 1, p), z = ph_matrix_row_mul(m, 2, p);
     const int32_t w = lens->kind == PH_ORTHOGRAPHIC ? FX_ONE : z;
     return (struct ph_clip_vertex){.x = x, .y = y, .w = w, .z = z};
-}
-
-/* The place of the next vertex in clip coordinates. fast: ph_vertices has stopped at it, and has computed its
- * place. */
-PH_TIER(scenery)
-static PH_NOINLINE struct fx_vec3 before_divide(const struct ph_vertex_run *run, const struct ph_clip_matrix *m,
-                                                bool fast)
-{
-    if (!ph_matvec_in_range(&run->matvec, run->from)) {
-        return ph_matrix_mul(m, run->from);
-    }
-    return fast ? run->at : ph_matvec_near(&run->matvec, run->from);
 }
 
 PH_TIER(mesh)
@@ -180,15 +169,9 @@ uint32_t ph_transform_points(const struct ph_renderer *r, const struct ph_clip_m
     run.end = points + n;
     run.to = vertices;
     run.codes = 0;
-    const bool fast = start_run(&run, r, m);
-    while (run.from < run.end) {
-        if (fast) {
-            ph_vertices(&run);
-            if (run.from == run.end) {
-                break;
-            }
-        }
-        const struct fx_vec3 at = before_divide(&run, m, fast);
+    start_run(&run, r, m);
+    for (ph_vertices(&run); run.from < run.end; ph_vertices(&run)) {
+        const struct fx_vec3 at = ph_matvec_in_range(&run.matvec, run.from) ? run.at : ph_matrix_mul(m, run.from);
         place_vertex(r, at.x, at.y, at.z, run.to);
         run.to->light = PH_LIGHT_ZERO + PH_LIGHT_SPAN; /* kept by meshes that are not lit */
         run.codes |= run.to->code;
