@@ -6,10 +6,11 @@
 #include "planes.h"
 #include "raster_rows.h"
 #include "raster_walk.h"
+#include "setup.h"
 
 static const struct ph_octave_ways octaves = {.set_codes = ph_float_depths,
                                               .draw_knee = ph_small_knee,
-                                              .small_plane_does = ph_small_plane_does,
+                                              .finish_depth = ph_finish_octaves,
                                               .set_knee = ph_set_knee,
                                               .draw_split = ph_draw_split,
                                               .draw_rows_split = ph_draw_rows_split,

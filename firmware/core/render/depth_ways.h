@@ -18,6 +18,7 @@ struct ph_octave;
 struct ph_place;
 struct ph_plane_base;
 struct ph_run;
+struct ph_sides;
 struct ph_small_texels;
 
 /* Small triangles and rows whose depth is a float of 16 bits. */
@@ -25,8 +26,9 @@ struct ph_octave_ways {
     /* kernels.h: ph_float_depths, ph_small_knee */
     ph_codes_kernel *set_codes;
     ph_gouraud_kernel *draw_knee;
-    /* planes.h */
-    bool (*small_plane_does)(const uint32_t d[3], int block);
+    /* setup.h, knee.h */
+    bool (*finish_depth)(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                         const struct ph_sides *sides, const uint32_t d[3], bool has_plane);
     void (*set_knee)(struct ph_triangle *t, const uint32_t d[3]);
     /* raster_rows.h, raster_walk.h */
     uint32_t (*draw_split)(const struct ph_triangle *t, const struct ph_band *band);

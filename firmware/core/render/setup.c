@@ -16,6 +16,7 @@ PH_TIER(mesh) static inline bool ph_is_between(int32_t a, int32_t b, int32_t c, 
 #include "edge.h"
 #include "exact.h"
 #include "kernels.h"
+#include "knee.h"
 #include "line.h"
 #include "outline.h"
 #include "planes.h"
@@ -81,39 +82,50 @@ static inline bool small_depths(const struct ph_setting *s, const struct ph_vert
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
 
-/* Whether rows between two edges, which are given at the first of them, lie between all pixel centres. a_is_left: of
- * edge a. */
-PH_TIER(mesh)
-static bool rows_are_empty(const struct ph_edge *a, const struct ph_edge *b, bool a_is_left, int32_t rows)
+/* Whether a small triangle lies between all pixel centres, as thin ones often do. */
+PH_TIER(mesh) static PH_NOINLINE bool small_is_empty(const struct ph_small_triangle *s)
 {
-    struct ph_edge left = a_is_left ? *a : *b, right = a_is_left ? *b : *a;
-    for (; rows > 0; rows--) {
-        if (left.x >> 16 < right.x >> 16) {
+    struct ph_edge edge[2] = {{(int32_t)s->left, (int32_t)s->left_dx}, {(int32_t)s->right, (int32_t)s->right_dx}};
+    const int32_t lower_rows = s->lower_rows;
+    for (int32_t rows = s->upper_rows + lower_rows; rows > 0; rows--) {
+        if (rows == lower_rows) {
+            edge[s->lower_is_right] = s->lower;
+        }
+        if (edge[0].x >> 16 < edge[1].x >> 16) {
             return false;
         }
-        left = ph_edge_below(left, 1);
-        right = ph_edge_below(right, 1);
+        ph_edge_step(&edge[0], 1);
+        ph_edge_step(&edge[1], 1);
     }
     return true;
 }
 
-/* Whether a triangle lies between all pixel centres, as thin ones often do. */
-static bool is_empty(const struct ph_triangle *t)
+/* Gives a small triangle a plane of depth. */
+PH_TIER(mesh) static void set_depth(struct ph_triangle *t, const struct ph_plane *plane)
 {
-    const struct ph_large *const l = &t->as.large;
-    const int32_t upper = l->y_mid - t->y_top, lower = t->y_bottom - l->y_mid;
-    const struct ph_edge below = ph_edge_below(l->long_edge, upper);
-    return rows_are_empty(&l->long_edge, &l->upper, l->long_left, upper) &&
-           rows_are_empty(&below, &l->lower, l->long_left, lower);
+    struct ph_small_triangle *const small = &t->as.small.rows;
+    small->gd = plane->gx;
+    small->d_dy = plane->gy;
+    small->d = plane->base + (uint32_t)t->y_top * plane->gy;
 }
 
-PH_TIER(mesh) static bool small_is_empty(const struct ph_small_triangle *s)
+PH_TIER(mesh)
+bool ph_finish_octaves(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                       const struct ph_sides *sides, const uint32_t d[3], bool has_plane)
 {
-    const struct ph_edge left = {(int32_t)s->left, (int32_t)s->left_dx};
-    const struct ph_edge right = {(int32_t)s->right, (int32_t)s->right_dx};
-    const struct ph_edge below = ph_edge_below(s->lower_is_right ? left : right, s->upper_rows);
-    return rows_are_empty(&left, &right, true, s->upper_rows) &&
-           rows_are_empty(&below, &s->lower, s->lower_is_right, s->lower_rows);
+    struct ph_small_triangle *const small = &t->as.small.rows;
+    struct ph_depth any;
+    if (has_plane && ph_small_plane_does(d, t->block)) {
+        small->d = ph_block_rounded(small->d, t->block); /* rounded: see planes.c; the gradients are multiples of 256 */
+        return true;
+    }
+    uint8_t block = PH_BLOCK_NONE;
+    if (!ph_set_depth(r, t->material, v, sides, &any, &block)) {
+        return false;
+    }
+    t->block = block;
+    set_depth(t, &any.as.plane);
+    return true;
 }
 
 /* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits are not enough. */
@@ -122,21 +134,14 @@ static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rend
                                      const struct ph_vertex *const v[3], const struct ph_sides *sides,
                                      const uint32_t d[3], enum ph_small_setup done)
 {
-    struct ph_small_triangle *const small = &t->as.small.rows;
-    struct ph_depth any;
-    uint8_t block = PH_BLOCK_NONE;
-    if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_depth_ways(r)->octaves->small_plane_does(d, t->block)) {
-        small->d = ph_block_rounded(small->d, t->block); /* rounded: see planes.c; the gradients are multiples of 256 */
-        return true;
+    struct ph_plane plane;
+    if (t->block != PH_BLOCK_NONE) {
+        return ph_depth_ways(r)->octaves->finish_depth(t, r, v, sides, d, done == PH_SMALL_SET);
     }
-    if (t->block != PH_BLOCK_NONE ? !ph_set_depth(r, t->material, v, sides, &any, &block)
-                                  : !ph_depth_plane(&any.as.plane, v[0], sides, d)) {
+    if (!ph_depth_plane(&plane, v[0], sides, d)) {
         return false;
     }
-    t->block = block;
-    small->gd = any.as.plane.gx;
-    small->d_dy = any.as.plane.gy;
-    small->d = any.as.plane.base + (uint32_t)t->y_top * any.as.plane.gy;
+    set_depth(t, &plane);
     return true;
 }
 
@@ -183,7 +188,7 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     } else if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format->is_small) {
         fits = t->material->shading->texturing.take_small_depth(t, s, v, sides, fits);
     }
-    if (!fits && !is_empty(t)) {
+    if (!fits) {
         ph_set_exact(r, t->material, v, sides, &t->as.large.depth);
         t->block = PH_BLOCK_EXACT;
     } else if (fits && t->kind == PH_KIND_GOURAUD && t->block == PH_BLOCK_NONE && r->stats.depth_format->is_small &&
