@@ -346,8 +346,8 @@ struct ph_renderer {
 /* The state of one picture. Callers read stats; all other fields are private. Between ph_frame_bands and the last band
  * it must not be moved. */
 struct ph_renderer {
-    struct ph_config config; /* with samples its sizes count samples: width, height and band_height are doubled */
     struct ph_list list;
+    struct ph_config config;   /* with samples its sizes count samples: width, height and band_height are doubled */
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     struct ph_triangle *carried, *slots; /* triangles that continue in the next band; slots that are unused again */
     struct ph_triangle *ahead;           /* triangles of the next band that two cores have set up already, or NULL */

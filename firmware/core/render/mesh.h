@@ -13,6 +13,9 @@
 
 /* What is the same for all triangles of a part. */
 struct ph_part_context {
+    bool lit, two_sided;
+    bool coloured, lit_coloured; /* the part has lit colours; lit_as has them */
+    bool mixed;                  /* the vertices have the lights of several materials */
     struct ph_renderer *r;
     const struct ph_mesh *mesh;
     const struct ph_material *material, *lit_as; /* lit_as: of the part whose light the vertices have, or NULL */
@@ -23,10 +26,7 @@ struct ph_part_context {
     const struct ph_lighting *lighting;   /* NULL: vertices have no light */
     const struct ph_part_lighting *parts; /* NULL: nothing can be lit */
     const struct ph_curved_lens *curved;  /* NULL: straight lines stay straight */
-    bool lit, two_sided;
-    bool coloured, lit_coloured;   /* the part has lit colours; lit_as has them */
-    bool mixed;                    /* the vertices have the lights of several materials */
-    struct ph_local_lights lights; /* last, as in struct ph_renderer */
+    struct ph_local_lights lights;        /* last, as in struct ph_renderer */
 };
 
 /* Lights the vertices of a part. Lit shadings and PH_COLOURS name it; the linker leaves it out of a program without. */
