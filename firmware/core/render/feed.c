@@ -1,11 +1,4 @@
 /* feed: see feed.h. */
-#include "tier.h"
-#include <stdint.h>
-
-/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
-struct ph_renderer;
-PH_TIER(mesh) static inline void *ph_at(const struct ph_renderer *r, uint32_t place);
-
 #include "feed.h"
 
 #include "edge.h"

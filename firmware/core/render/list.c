@@ -1,11 +1,4 @@
 /* See list.h. */
-#include "tier.h"
-#include <stdint.h>
-
-/* Copies of this inline function that the compiler does not inline here lie with what calls them. */
-struct ph_renderer;
-PH_TIER(mesh) static inline void *ph_at(const struct ph_renderer *r, uint32_t place);
-
 #include "list.h"
 
 #include "colour.h"
@@ -25,6 +18,15 @@ const size_t ph_triangle_bytes = sizeof(struct ph_vertex) + sizeof(struct ph_ref
 _Static_assert(sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
                    sizeof(struct ph_vertex) + sizeof(struct ph_ref) == PH_TRIANGLE_BYTES_32,
                "see render.h");
+
+PH_TIER(mesh) void *ph_at(const struct ph_renderer *r, uint32_t place)
+{
+    const unsigned piece = place >> 30;
+    const uint8_t *const base = piece == OWN        ? (const uint8_t *)r->own
+                                : piece == VERTICES ? (const uint8_t *)r->config.vertices
+                                                    : (const uint8_t *)r->config.triangles;
+    return (void *)(uintptr_t)(base + (place & NO_ROOM));
+}
 
 /* Whether vertices and triangles share one piece of memory: then it is that of the vertices. */
 PH_TIER(mesh) static bool is_shared(const struct ph_renderer *r)
@@ -157,8 +159,12 @@ PH_TIER(seldom) uint16_t *ph_list_work(const struct ph_renderer *r)
     return (uint16_t *)ph_at(r, r->rows_place + r->rows * ph_row_bytes(r)); /* behind the rows */
 }
 
-PH_TIER(seldom) bool ph_begin_blend(struct ph_renderer *r, const struct ph_blend *blend)
+PH_TIER(seldom) bool ph_begin_blend(struct ph_renderer *r, const struct ph_material *material)
 {
+    const struct ph_blend *const blend = material->blend;
+    if (blend->alphas != NULL && blend->kind != PH_BLEND_KEY && ph_texels_of_blend(material) == NULL) {
+        return false;
+    }
     const size_t row = ph_row_bytes(r);
     const size_t most = room_of(r, TRIANGLES) / 16 / row;
     const uint32_t rows = most > ROWS_MOST ? ROWS_MOST : most > 0 ? 2 : 1; /* two: so that two cores can draw */

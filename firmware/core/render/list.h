@@ -51,14 +51,7 @@ struct ph_draw {
 };
 
 /* Converts a place (piece in the top 2 bits, byte offset below) to a pointer. */
-static inline void *ph_at(const struct ph_renderer *r, uint32_t place)
-{
-    const unsigned piece = place >> 30;
-    const uint8_t *const base = piece == 0   ? (const uint8_t *)r->own
-                                : piece == 1 ? (const uint8_t *)r->config.vertices
-                                             : (const uint8_t *)r->config.triangles;
-    return (void *)(uintptr_t)(base + (place & 0x3fffffff));
-}
+void *ph_at(const struct ph_renderer *r, uint32_t place);
 
 static inline uint32_t ph_ref_count(const struct ph_renderer *r)
 {
@@ -115,8 +108,9 @@ struct ph_part_context;
 
 /* What lists and draws with a blend. Only a blend names it, so the linker leaves it out of a program without blends. */
 struct ph_blending {
-    /* Prepares for something with a blend. False: there is no room for the rows that it is drawn into. */
-    bool (*begin_blend)(struct ph_renderer *r, const struct ph_blend *blend);
+    /* Prepares for something with a blend. False: there is no room for the rows that it is drawn into, or the blend
+     * does not say what draws it. */
+    bool (*begin_blend)(struct ph_renderer *r, const struct ph_material *material);
     /* Marks the references from number `first` on as cut out or blended: they are drawn after all others. since: the
      * place of the last draw when the first of them was listed; PH_NONE if there was none. */
     void (*put_after)(struct ph_renderer *r, uint32_t since, uint32_t first);
@@ -141,14 +135,11 @@ static inline const struct ph_shading *ph_texels_of_blend(const struct ph_materi
  * does not say what draws it. */
 static inline bool ph_list_blend(struct ph_renderer *r, const struct ph_material *material)
 {
-    const struct ph_blend *const blend = material->blend;
-    return blend->draw != NULL &&
-           (blend->alphas == NULL || blend->kind == PH_BLEND_KEY || ph_texels_of_blend(material) != NULL) &&
-           blend->draw->begin_blend(r, blend);
+    return material->blend->draw != NULL && material->blend->draw->begin_blend(r, material);
 }
 
 /* blended.c and feed.c: see struct ph_blending. */
-bool ph_begin_blend(struct ph_renderer *r, const struct ph_blend *blend);
+bool ph_begin_blend(struct ph_renderer *r, const struct ph_material *material);
 void ph_put_after(struct ph_renderer *r, uint32_t since, uint32_t first);
 uint32_t ph_draw_sides(struct ph_part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3]);
 void ph_sort_opaque(uint32_t *bins, struct ph_ref *ref, uint32_t n);
