@@ -4,6 +4,15 @@
 #include "edge.h"
 #include "planes.h"
 
+PH_TIER(scenery)
+struct ph_sides ph_sides(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
+{
+    const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y;
+    const bool is_short = ph_sides_are_short(dx1, dy1, dx2, dy2);
+    const int32_t area = is_short ? dx2 * dy1 - dx1 * dy2 : ph_wide_area_sign(dx1, dy1, dx2, dy2);
+    return (struct ph_sides){dx1, dy1, dx2, dy2, area, is_short};
+}
+
 /* The edge from a down to b at row y0, which it reaches, in 64 bits. A step down a row has 16 bits behind the point.
  * From a corner far above the picture thousands of them would lose up to 1/16 px, so y0 is reached at once. */
 PH_TIER(scenery)

@@ -50,13 +50,6 @@ static inline int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, i
 }
 
 /* The sides and the area of a triangle whose corners are projected. */
-static inline __attribute__((always_inline)) struct ph_sides
-ph_sides(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
-{
-    const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y;
-    const bool is_short = ph_sides_are_short(dx1, dy1, dx2, dy2);
-    const int32_t area = is_short ? dx2 * dy1 - dx1 * dy2 : ph_wide_area_sign(dx1, dy1, dx2, dy2);
-    return (struct ph_sides){dx1, dy1, dx2, dy2, area, is_short};
-}
+struct ph_sides ph_sides(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c);
 
 #endif
