@@ -72,15 +72,16 @@ static int clip_plane(const struct ph_lens *lens, const struct ph_clip_vertex *i
     int count = 0;
     for (int i = 0; i < n && count < PH_CLIP_MAX; i++) {
         const struct ph_clip_vertex *a = &in[i], *b = &in[i + 1 < n ? i + 1 : 0];
-        const int64_t da = distance(lens, a, plane), db = distance(lens, b, plane);
-        if (da >= 0) {
+        const int64_t d[2] = {distance(lens, a, plane), distance(lens, b, plane)};
+        const int inner = d[0] < 0; /* the end of the edge that is inside, if one is */
+        if (inner == 0) {
             out[count++] = *a;
         }
         if (n == 2 && i == 1) { /* a line has one edge only */
             break;
         }
-        if ((da >= 0) != (db >= 0) && count < PH_CLIP_MAX) {
-            out[count++] = da >= 0 ? crossing(lens, a, b, da, db, plane) : crossing(lens, b, a, db, da, plane);
+        if ((d[0] < 0) != (d[1] < 0) && count < PH_CLIP_MAX) {
+            out[count++] = crossing(lens, inner == 0 ? a : b, inner == 0 ? b : a, d[inner], d[1 - inner], plane);
         }
     }
     return count;

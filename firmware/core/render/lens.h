@@ -22,7 +22,9 @@ static inline int ph_lens_focal(struct ph_lens *lens, const struct ph_projection
     const int32_t guard = 2 * ph_max(width, height); /* px; with |shift| <= 2 no pixel is further away than 1.5 sizes */
     const int64_t longest = fx > fy ? fx : fy;
     int log2 = 0;
-    while (log2 <= 18 && (((int64_t)1 << (21 + log2)) < longest || (4 << log2) < guard)) {
+    int64_t most = (int64_t)1 << 21;
+    for (int32_t reach = 4; log2 <= 18 && (most < longest || reach < guard); reach *= 2) {
+        most *= 2;
         log2++;
     }
     if (log2 > 18) {
@@ -30,8 +32,8 @@ static inline int ph_lens_focal(struct ph_lens *lens, const struct ph_projection
     }
     lens->focal_log2 = (int8_t)log2;
     lens->guard_up = (uint8_t)(log2 > 8 ? log2 - 8 : 0);
-    lens->focal_x = (int32_t)(log2 <= 9 ? fx << (9 - log2) : fx >> (log2 - 9));
-    lens->focal_y = (int32_t)(log2 <= 9 ? fy << (9 - log2) : fy >> (log2 - 9));
+    lens->focal_x = (int32_t)(fx * 512 >> log2);
+    lens->focal_y = (int32_t)(fy * 512 >> log2);
     return PH_OK;
 }
 

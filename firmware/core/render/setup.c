@@ -176,23 +176,23 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
                                     struct ph_triangle *t)
 {
     const struct ph_renderer *r = s->r;
-    const bool colours = (s->draw->kind & PH_DRAW_COLOURS) != 0;
+    const struct ph_colouring *const colouring = (s->draw->kind & PH_DRAW_COLOURS) != 0 ? r->config.colouring : NULL;
+    bool (*take_small_depth)(struct ph_triangle * t, const struct ph_setting *s, const struct ph_vertex *const v[3],
+                             const struct ph_sides *sides, bool fits) = NULL;
     bool fits = setup_any(r, s->fast.material, v, uv, sides, t);
-    if (colours) {
-        r->config.colouring->set_colours(t, v, sides, ph_lit_corners_of(s->fast.material) == PH_FIRST_CORNER);
+    if (colouring != NULL) {
+        colouring->set_colours(t, v, sides, ph_lit_corners_of(s->fast.material) == PH_FIRST_CORNER);
+        take_small_depth = colouring->take_small_depth;
+    } else if (t->kind == PH_KIND_TEXTURE) {
+        take_small_depth = t->material->shading->texturing.take_small_depth;
     }
-    if (s->fast.material->depth_bias_slope != 0) {
-        fits = false;
-    } else if (small && colours && r->stats.depth_format->is_small) {
-        fits = r->config.colouring->take_small_depth(t, s, v, sides, fits);
-    } else if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format->is_small) {
-        fits = t->material->shading->texturing.take_small_depth(t, s, v, sides, fits);
+    if (small && s->has_codes && take_small_depth != NULL) {
+        fits = take_small_depth(t, s, v, sides, fits);
     }
-    if (!fits) {
+    if (!fits || s->fast.material->depth_bias_slope != 0) {
         ph_set_exact(r, t->material, v, sides, &t->as.large.depth);
         t->block = PH_BLOCK_EXACT;
-    } else if (fits && t->kind == PH_KIND_GOURAUD && t->block == PH_BLOCK_NONE && r->stats.depth_format->is_small &&
-               t->y_top < t->y_bottom) {
+    } else if (t->kind == PH_KIND_GOURAUD && t->block == PH_BLOCK_NONE && s->has_codes && t->y_top < t->y_bottom) {
         t->material->shading->gouraud->take_tall(t, r, v, sides);
     }
 }

@@ -46,26 +46,23 @@ PH_TIER(mesh) static inline int32_t screen_q8(const struct ph_lens *lens, int32_
     return down > 0 ? (q25 + ((1 << down) >> 1)) >> down : q25 * (1 << -down);
 }
 
-static inline void project_perspective(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, struct ph_vertex *v)
-{
-    int shift;
-    const uint32_t reciprocal = fx_rcp_far((uint32_t)w, &shift);
-    const int32_t positive = (int32_t)(reciprocal >> 1);
-    v->x = lens->centre_x + screen_q8(lens, divide_q25(x, positive, shift));
-    v->y = lens->centre_y + screen_q8(lens, divide_q25(y, positive, shift));
-    ph_vertex_depth(v, ph_depth_quotient_of(lens, reciprocal, shift));
-}
-
 PH_TIER(scenery)
 void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int32_t z, struct ph_vertex *v)
 {
+    int32_t x_q25, y_q25;
     if (lens->kind == PH_PERSPECTIVE) {
-        project_perspective(lens, x, y, w, v);
-        return;
+        int shift;
+        const uint32_t reciprocal = fx_rcp_far((uint32_t)w, &shift);
+        x_q25 = divide_q25(x, (int32_t)(reciprocal >> 1), shift);
+        y_q25 = divide_q25(y, (int32_t)(reciprocal >> 1), shift);
+        ph_vertex_depth(v, ph_depth_quotient_of(lens, reciprocal, shift));
+    } else { /* orthographic: w = 1, Q16.16 */
+        x_q25 = x * 512;
+        y_q25 = y * 512;
+        ph_vertex_depth(v, ph_depth_quotient(lens, z));
     }
-    ph_vertex_depth(v, ph_depth_quotient(lens, z)); /* orthographic: w = 1, Q16.16 to 2^-25 */
-    v->x = lens->centre_x + screen_q8(lens, x * 512);
-    v->y = lens->centre_y + screen_q8(lens, y * 512);
+    v->x = lens->centre_x + screen_q8(lens, x_q25);
+    v->y = lens->centre_y + screen_q8(lens, y_q25);
 }
 
 /* Clip codes left and right, or top and bottom, of a vertex that cannot be projected. Its place on the screen, 256 (x
