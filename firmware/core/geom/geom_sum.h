@@ -45,6 +45,6 @@ static inline int32_t geom_near_row(const int32_t row[3], int32_t x, int32_t y, 
 }
 
 /* ph_xform_mul, faster where b stands near the origin of a, at the price of ph_xform_point in the program. */
-struct ph_xform geom_mul_near(const struct ph_xform *a, const struct ph_xform *b);
+struct ph_xform ph_xform_mul_near(const struct ph_xform *a, const struct ph_xform *b);
 
 #endif

@@ -118,7 +118,7 @@ PH_TIER(figure) struct ph_xform ph_xform_mul(const struct ph_xform *a, const str
     return m;
 }
 
-PH_TIER(figure) struct ph_xform geom_mul_near(const struct ph_xform *a, const struct ph_xform *b)
+PH_TIER(figure) struct ph_xform ph_xform_mul_near(const struct ph_xform *a, const struct ph_xform *b)
 {
     struct ph_xform m;
     mul_rows(a, b, &m);

@@ -188,7 +188,7 @@ void ph_rig_places(const struct ph_rig *rig, const struct ph_pose *pose, const s
     for (uint32_t i = 0; i < rig->node_count; i++) {
         const int16_t parent = rig->nodes[i].parent;
         const struct ph_xform turned = ph_xform_quat(pose[i].r, pose[i].t);
-        places[i] = geom_mul_near(parent < 0 ? root : &places[parent], &turned);
+        places[i] = ph_xform_mul_near(parent < 0 ? root : &places[parent], &turned);
         scale_axes(&places[i], pose[i].s);
     }
 }

@@ -13,7 +13,7 @@ void ph_skin_matrices(const struct ph_skin *skin, const struct ph_xform *places,
 {
     for (uint32_t i = 0; i < skin->joint_count; i++) {
         const struct ph_xform *const joint = &places[skin->nodes[i]];
-        matrices[i] = skin->inverse_bind ? geom_mul_near(joint, &skin->inverse_bind[i]) : *joint;
+        matrices[i] = skin->inverse_bind ? ph_xform_mul_near(joint, &skin->inverse_bind[i]) : *joint;
     }
 }
 

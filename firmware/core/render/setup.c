@@ -16,7 +16,6 @@ PH_TIER(mesh) static inline bool ph_is_between(int32_t a, int32_t b, int32_t c, 
 #include "edge.h"
 #include "exact.h"
 #include "kernels.h"
-#include "knee.h"
 #include "line.h"
 #include "outline.h"
 #include "planes.h"
@@ -100,34 +99,6 @@ PH_TIER(mesh) static PH_NOINLINE bool small_is_empty(const struct ph_small_trian
     return true;
 }
 
-/* Gives a small triangle a plane of depth. */
-PH_TIER(mesh) static void set_depth(struct ph_triangle *t, const struct ph_plane *plane)
-{
-    struct ph_small_triangle *const small = &t->as.small.rows;
-    small->gd = plane->gx;
-    small->d_dy = plane->gy;
-    small->d = plane->base + (uint32_t)t->y_top * plane->gy;
-}
-
-PH_TIER(mesh)
-bool ph_finish_octaves(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
-                       const struct ph_sides *sides, const uint32_t d[3], bool has_plane)
-{
-    struct ph_small_triangle *const small = &t->as.small.rows;
-    struct ph_depth any;
-    if (has_plane && ph_small_plane_does(d, t->block)) {
-        small->d = ph_block_rounded(small->d, t->block); /* rounded: see planes.c; the gradients are multiples of 256 */
-        return true;
-    }
-    uint8_t block = PH_BLOCK_NONE;
-    if (!ph_set_depth(r, t->material, v, sides, &any, &block)) {
-        return false;
-    }
-    t->block = block;
-    set_depth(t, &any.as.plane);
-    return true;
-}
-
 /* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits are not enough. */
 PH_TIER(mesh)
 static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
@@ -141,7 +112,7 @@ static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rend
     if (!ph_depth_plane(&plane, v[0], sides, d)) {
         return false;
     }
-    set_depth(t, &plane);
+    ph_set_small_depth(t, &plane);
     return true;
 }
 

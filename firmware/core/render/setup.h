@@ -27,6 +27,20 @@ static inline void ph_setup(const struct ph_setting *s, const struct ph_ref *ref
     }
 }
 
+/* Gives a small triangle a plane of depth. */
+static inline void ph_set_small_depth(struct ph_triangle *t, const struct ph_plane *plane)
+{
+    struct ph_small_triangle *const small = &t->as.small.rows;
+    small->gd = plane->gx;
+    small->d_dy = plane->gy;
+    small->d = plane->base + (uint32_t)t->y_top * plane->gy;
+}
+
+/* octaves.c: sets the depth of a small triangle that crosses octaves, as d says in units of its block. has_plane:
+ * ph_setup_small has set its plane. False if 32 bits are not enough. Only formats name it. */
+bool ph_finish_octaves(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                       const struct ph_sides *sides, const uint32_t d[3], bool has_plane);
+
 /* How far a triangle exceeds a small one. */
 enum ph_excess ph_excess_of(const struct ph_setting *s, const struct ph_sides *sides,
                             const struct ph_vertex *const v[3]);
@@ -35,11 +49,6 @@ enum ph_excess ph_excess_of(const struct ph_setting *s, const struct ph_sides *s
  * the same in all shadings. fits: what is returned if it has no other. False if 32 bits are not enough. */
 bool ph_take_small_depth(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
                          const struct ph_sides *sides, bool fits);
-
-/* Sets the depth of a small triangle that crosses octaves, as d says in units of its block. has_plane: ph_setup_small
- * has set its plane. False if 32 bits are not enough. Only formats name it. */
-bool ph_finish_octaves(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
-                       const struct ph_sides *sides, const uint32_t d[3], bool has_plane);
 
 /* Sets up the reference of that number, wherever its draw is; the lens of r must be its own. For the depth lab. */
 void ph_setup_number(const struct ph_renderer *r, uint32_t number, struct ph_triangle *t);
