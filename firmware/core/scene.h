@@ -85,7 +85,7 @@ enum ph_blend_kind {
  * NULL, or with alphas that draw has not the code for, their triangles are left out.
  * Cost of a pixel, in instructions on a Cortex-M0+ (tests/bench/blends.sh), in one colour (opaque 8), along a ramp (10)
  * and of nearest texels (22): ALPHA 21, 34, 57; ADD 36, 38, 61; TIMES 51, 53, 75, and 15 more if alpha is below 32;
- * KEY 65 (bilinear 152, opaque 67), MASK 102 and ALPHA with alphas 146 of nearest texels. A hidden pixel takes that of
+ * KEY 55 (bilinear 143, opaque 67), MASK 97 and ALPHA with alphas 146 of nearest texels. A hidden pixel takes that of
  * the opaque form and 6.
  */
 struct ph_blend {

@@ -24,9 +24,9 @@ flat 8.3
 gouraud 10.5
 texture 22
 bilinear 68
-texture-key 66
-bilinear-key 154
-texture-mask 103
+texture-key 56
+bilinear-key 146
+texture-mask 98
 flat-alpha 21.5
 gouraud-alpha 35
 texture-alpha 57.5

@@ -49,9 +49,11 @@ static const struct ph_scene_light lamp = {
     .lights = {
         {.kind = PH_LIGHT_POINT, .intensity = FX_ONE, .position = {FX_INT(2), FX_INT(2), 0}, .reach = FX_INT(4)}}};
 
-enum unit { PIXEL, TRIANGLE, VERTEX, EDGE, FRAME };
+enum unit { PIXEL, TRIANGLE, VERTEX, EDGE, FRAME, DRAW };
 
-static const char *const unit_names[] = {"pixel", "triangle", "vertex", "edge", "frame"};
+static const char *const unit_names[] = {"pixel", "triangle", "vertex", "edge", "frame", "draw"};
+
+#define DRAWS 64
 
 /* How a frame is drawn. */
 struct view {
@@ -61,6 +63,7 @@ struct view {
     const struct ph_depth_format *depth_format;
     uint16_t lines; /* of a band */
     bool antialias;
+    enum { ONE_MESH, MESHES, BILLBOARDS } draws; /* the mesh, or in place of it DRAWS of them, or DRAWS billboards */
 };
 
 static struct view usual(void)
@@ -100,12 +103,35 @@ static struct ph_renderer renderer_of(const struct view *view)
     return r;
 }
 
+/* The places of meshes and billboards of 6 pixels, side by side. */
+static struct fx_vec3 place_of(uint32_t i)
+{
+    return (struct fx_vec3){(fx_t)(i % 16 * 20 - 150) * PX, (fx_t)(i / 16 * 20 - 40) * PX, FX_INT(-2)};
+}
+
+static void list(struct ph_renderer *r, const struct view *view, const struct ph_mesh *what)
+{
+    if (view->draws == ONE_MESH) {
+        ph_draw_mesh(r, what, &view->place);
+        return;
+    }
+    for (uint32_t i = 0; i < DRAWS && what->part_count > 0; i++) {
+        const struct fx_vec3 at = place_of(i);
+        const struct ph_xform place = ph_xform_translate(at.x, at.y, at.z);
+        if (view->draws == MESHES) {
+            ph_draw_mesh(r, what, &place);
+        } else {
+            ph_draw_billboard(r, at, 6 * PX, 6 * PX, &material);
+        }
+    }
+}
+
 static void draw(struct ph_renderer *r, const struct view *view, const struct ph_mesh *what)
 {
     if (ph_frame_begin(r, &ph_xform_identity, &view->projection, view->light, 0) != PH_OK) {
         machine_print("cliffs: the renderer refuses a camera\n");
     }
-    ph_draw_mesh(r, what, &view->place);
+    list(r, view, what);
     const uint32_t bands = ph_frame_bands(r);
     for (uint32_t band = 0; band < bands; band++) {
         ph_draw_band(r, band, pixels);
@@ -118,7 +144,7 @@ static void measure(const char *name, const char *variant, enum unit unit, const
     struct ph_renderer r = renderer_of(view);
     const char *what[3] = {name, variant, unit_names[unit]};
     draw(&r, view, &mesh);
-    const uint32_t units[] = {r.stats.fragments, r.stats.triangles_drawn, mesh.vertex_count, mesh.edge_count, 1};
+    const uint32_t units[] = {r.stats.fragments, r.stats.triangles_drawn, mesh.vertex_count, mesh.edge_count, 1, DRAWS};
     if (r.stats.triangles_dropped + r.stats.vertices_dropped > 0) {
         machine_print("cliffs: a scene does not fit\n");
     }
@@ -228,6 +254,13 @@ static void textures(void)
     square(PH_SHADE_TEXTURE, -FX_ONE, 2 * FX_ONE);
     texture.wrap = PH_WRAP_CLAMP;
     measure("clamp-outside", "cliff", PIXEL, &view);
+    square(PH_SHADE_TEXTURE, 0, FX_ONE);
+    texture.filter = PH_FILTER_BILINEAR;
+    measure("clamp-bilinear", "usual", PIXEL, &view);
+    square(PH_SHADE_TEXTURE, -FX_ONE, 2 * FX_ONE);
+    texture.filter = PH_FILTER_BILINEAR;
+    texture.wrap = PH_WRAP_CLAMP;
+    measure("clamp-bilinear", "cliff", PIXEL, &view);
     square(PH_SHADE_TEXTURE, 0, FX_ONE);
     measure("texture-edge-on", "usual", PIXEL, &view);
     view.place = ph_xform_rotate_y(1061812292); /* 89 degrees */
@@ -446,6 +479,129 @@ static void vertices_alone(void)
     measure("orthographic", "cliff", VERTEX, &view);
 }
 
+/* A quad of 6 pixels around each of n places, or around the origin. */
+static void quads(const struct ph_shading *shading, uint32_t n)
+{
+    const fx_t s = 3 * PX;
+    set_material(shading);
+    for (uint32_t i = 0; i < n; i++) {
+        const struct fx_vec3 at = n > 1 ? place_of(i) : (struct fx_vec3){0};
+        const fx_t x[4] = {at.x - s, at.x + s, at.x + s, at.x - s}, y[4] = {at.y - s, at.y - s, at.y + s, at.y + s};
+        for (uint32_t k = 0; k < 4; k++) {
+            positions[4 * i + k] = (struct fx_vec3){x[k], y[k], at.z};
+            uvs[4 * i + k][0] = k == 1 || k == 2 ? FX_ONE : 0;
+            uvs[4 * i + k][1] = k < 2 ? FX_ONE : 0;
+        }
+        for (uint32_t k = 0; k < 2; k++) {
+            corners[2 * i + k][0] = (uint16_t)(4 * i);
+            corners[2 * i + k][1] = (uint16_t)(4 * i + 1 + k);
+            corners[2 * i + k][2] = (uint16_t)(4 * i + 2 + k);
+        }
+    }
+    mesh.vertex_count = 4 * n;
+    mesh.triangle_count = part.count = 2 * n;
+}
+
+static void draws(void)
+{
+    static const struct ph_blend key = {.draw = ph_draw_blended, .kind = PH_BLEND_KEY, .key = 0xf81f};
+    static const struct {
+        const char *name;
+        const struct ph_shading *shading;
+        const struct ph_blend *blend;
+        int draws;
+    } each[] = {{"draw", PH_SHADE_UNLIT, NULL, MESHES},
+                {"billboard", PH_SHADE_UNLIT, NULL, BILLBOARDS},
+                {"billboard-texture", PH_SHADE_TEXTURE, NULL, BILLBOARDS},
+                {"billboard-key", PH_SHADE_TEXTURE, &key, BILLBOARDS}};
+    for (size_t i = 0; i < sizeof each / sizeof each[0]; i++) {
+        struct view view = usual();
+        view.place = ph_xform_identity;
+        quads(each[i].shading, DRAWS);
+        material.blend = each[i].blend;
+        measure(each[i].name, "usual", DRAW, &view);
+        quads(each[i].shading, 1);
+        material.blend = each[i].blend;
+        view.draws = each[i].draws;
+        measure(each[i].name, "cliff", DRAW, &view);
+    }
+}
+
+/* Long lines along the diagonals of the picture. */
+static void lines(void)
+{
+    static uint16_t diagonals[64][2];
+    struct view view = usual();
+    view.place = ph_xform_translate(0, 0, FX_INT(-2));
+    set_material(PH_SHADE_WIRE);
+    for (uint16_t i = 0; i < 64; i++) {
+        const fx_t x = (i < 32 ? i - 16 : 64 - 48 - i + 32) * 9 * PX, y = 118 * PX;
+        positions[2 * i] = (struct fx_vec3){x, y, 0};
+        positions[2 * i + 1] = (struct fx_vec3){-x, -y, 0};
+        diagonals[i][0] = (uint16_t)(2 * i);
+        diagonals[i][1] = (uint16_t)(2 * i + 1);
+    }
+    mesh.edges = (const uint16_t(*)[2])diagonals;
+    mesh.vertex_count = 128;
+    mesh.edge_count = 64;
+    view.lines = HEIGHT;
+    measure("long-lines", "usual", EDGE, &view);
+    view.lines = 16;
+    measure("long-lines", "cliff", EDGE, &view);
+}
+
+/* Colours of vertices, and coloured light, on the torus and on a square. */
+static void colours(void)
+{
+    static const struct ph_scene_light coloured = {.ambient = FX_ONE,
+                                                   .count = 1,
+                                                   .lights = {{.kind = PH_LIGHT_DIRECTIONAL,
+                                                               .intensity = FX_ONE,
+                                                               .to_light_q30 = {511886330, 614263596, 716640862},
+                                                               .red = FX_ONE,
+                                                               .green = FX_HALF,
+                                                               .blue = FX_ONE / 4}}};
+    static uint16_t own[VERTICES];
+    struct view view = usual();
+    for (uint32_t i = 0; i < VERTICES; i++) {
+        own[i] = (uint16_t)(i * 40503);
+    }
+    for (int k = 0; k < 4; k++) {
+        static const char *const names[] = {"vertex-colours", "coloured-light", "vertex-colours-fill",
+                                            "coloured-light-fill"};
+        if (k < 2) {
+            torus(PH_SHADE_GOURAUD);
+        } else {
+            square(PH_SHADE_GOURAUD, 0, FX_ONE);
+        }
+        const enum unit unit = k < 2 ? FRAME : PIXEL;
+        measure(names[k], "usual", unit, &view);
+        view.light = k % 2 != 0 ? &coloured : &sun;
+        mesh.colours = k % 2 == 0 ? own : NULL;
+        measure(names[k], "cliff", unit, &view);
+        view.light = &sun;
+    }
+}
+
+/* Depth with a bias by slope, and of 24 bits. */
+static void depths(void)
+{
+    struct view view = usual();
+    torus(PH_SHADE_GOURAUD);
+    measure("bias-slope", "usual", FRAME, &view);
+    material.depth_bias_slope = 2;
+    measure("bias-slope", "cliff", FRAME, &view);
+    torus(PH_SHADE_GOURAUD);
+    view.depth_format = PH_DEPTH_FIXED16;
+    measure("fixed24", "usual", FRAME, &view);
+    view.depth_format = PH_DEPTH_FIXED24;
+    measure("fixed24", "cliff", FRAME, &view);
+    view.depth_format = PH_DEPTH_FLOAT16;
+    measure("float24", "usual", FRAME, &view);
+    view.depth_format = PH_DEPTH_FLOAT24;
+    measure("float24", "cliff", FRAME, &view);
+}
+
 static void frames(void)
 {
     struct view view = usual();
@@ -485,6 +641,10 @@ int main(void)
     shapes();
     shadings();
     vertices_alone();
+    draws();
+    lines();
+    colours();
+    depths();
     frames();
     return 0;
 }

@@ -70,15 +70,18 @@ int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, 
     static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
     static const fx_t uvs[4][2] = {{0, FX_ONE}, {FX_ONE, FX_ONE}, {FX_ONE, 0}, {0, 0}};
     static const struct ph_part part = {.count = 2};
+    const struct ph_xform *const v = &r->view; /* its rows are the directions of the picture in the world */
+    fx_t add[4][3];
+    for (int k = 0; k < 3; k++) {
+        const int64_t right = fx_mul_wide(v->r[0][k], width / 2), up = fx_mul_wide(v->r[1][k], height / 2);
+        add[0][k] = (fx_t)((-right - up) >> 30);
+        add[1][k] = (fx_t)((right - up) >> 30);
+        add[2][k] = (fx_t)((right + up) >> 30);
+        add[3][k] = (fx_t)((up - right) >> 30);
+    }
     struct fx_vec3 corners[4];
     for (int i = 0; i < 4; i++) {
-        const fx_t right = i == 1 || i == 2 ? width / 2 : -(width / 2), up = i >= 2 ? height / 2 : -(height / 2);
-        const struct ph_xform *const v = &r->view; /* its rows are the directions of the picture in the world */
-        fx_t add[3];
-        for (int k = 0; k < 3; k++) {
-            add[k] = (fx_t)((fx_mul_wide(v->r[0][k], right) + fx_mul_wide(v->r[1][k], up)) >> 30);
-        }
-        corners[i] = fx_vec3_add_sat(centre, (struct fx_vec3){add[0], add[1], add[2]});
+        corners[i] = fx_vec3_add_sat(centre, (struct fx_vec3){add[i][0], add[i][1], add[i][2]});
     }
     const struct ph_mesh mesh = {.positions = corners,
                                  .uvs = uvs,

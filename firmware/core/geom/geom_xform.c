@@ -102,8 +102,10 @@ PH_TIER(figure) static void mul_rows(const struct ph_xform *a, const struct ph_x
     const bool scales = only_scales(b);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            m->r[i][j] = scales ? fx_sat64((fx_mul_wide(a->r[i][j], b->r[j][j]) + FX_Q30_ONE / 2) >> 30)
-                                : wide_row_times(a->r[i], b->r[0][j], b->r[1][j], b->r[2][j], 0);
+            const int32_t k = b->r[j][j];
+            m->r[i][j] = !scales           ? wide_row_times(a->r[i], b->r[0][j], b->r[1][j], b->r[2][j], 0)
+                         : k == FX_Q30_ONE ? a->r[i][j]
+                                           : fx_sat64((fx_mul_wide(a->r[i][j], k) + FX_Q30_ONE / 2) >> 30);
         }
     }
 }

@@ -4,6 +4,7 @@
 
 #include "coarse.h"
 #include "cores.h"
+#include "line.h"
 #include "raster.h"
 #include "setup.h"
 
@@ -44,7 +45,11 @@ PH_TIER(figure) static void keep_below(const struct drawn *d)
             if (spare) {
                 *t = *list;
             }
-            ph_step_below(t, y1);
+            if (t->kind >= PH_KIND_LINE) {
+                t->as.line.lines->step_line(t, y1);
+            } else {
+                ph_step_below(t, y1);
+            }
             *rest->carry = t;
             rest->carry = &t->next;
         }

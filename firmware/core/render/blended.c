@@ -85,28 +85,31 @@ static void lay_pixels(uint32_t kind, uint16_t *to, const uint16_t *from, uint32
     }
 }
 
-/* Lays n pixels of a cut-out triangle over the band, those that are seen. A loop for each depth has all in registers.
- */
-static inline void lay_kept(const struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n, bool depth24)
+/* Lays n pixels of a cut-out triangle over the band, those that are nearer and no hole. A loop for each depth has all
+ * in registers. */
+static inline __attribute__((always_inline)) void lay_kept(const struct blend_pass *o, uint32_t own, uint32_t at,
+                                                           uint32_t n, bool depth24)
 {
     const uint16_t *const keys = o->deciders + own, *const colours = o->colours + own;
-    uint16_t *const pixels = o->band->pixels + at, *const depth = (uint16_t *)o->band->depth + (depth24 ? 2 * at : at);
-    const uint16_t *const codes = (const uint16_t *)o->codes + (depth24 ? 2 * own : own);
+    uint16_t *const pixels = o->band->pixels + at;
+    void *const depth = ph_depth_from(o->band->depth, at, depth24);
+    const void *const codes = ph_depth_from(o->codes, own, depth24);
     const uint32_t mask = o->mask, hole = o->hole;
     for (uint32_t i = 0; i < n; i++) {
-        if ((keys[i] & mask) == hole) {
+        const uint32_t code = depth24 ? ((const uint32_t *)codes)[i] : ((const uint16_t *)codes)[i];
+        if (code <= (depth24 ? ((uint32_t *)depth)[i] : ((uint16_t *)depth)[i]) || (keys[i] & mask) == hole) {
             continue;
         }
         pixels[i] = colours[i];
         if (depth24) {
-            ((uint32_t *)(void *)depth)[i] = ((const uint32_t *)(const void *)codes)[i];
+            ((uint32_t *)depth)[i] = code;
         } else {
-            depth[i] = codes[i];
+            ((uint16_t *)depth)[i] = (uint16_t)code;
         }
     }
 }
 
-static FX_APART void lay_cut_out(const struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n)
+static FX_APART void lay_cut_out(struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n) /* called as lay_row */
 {
     if (o->band->depth24) {
         lay_kept(o, own, at, n, true);
@@ -131,10 +134,6 @@ static void lay_seen(struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n
     uint16_t *const colours = o->colours + own, *const pixels = o->band->pixels + at;
     const bool depth24 = o->band->depth24;
     uint32_t kind = o->blend->kind, alpha = o->alpha;
-    if (kind < PH_BLEND_TIMES) {
-        lay_cut_out(o, own, at, n);
-        return;
-    }
     if (kind == PH_BLEND_TIMES && (alpha < 32 || o->has_keys)) {
         lay_pixels(PH_BLEND_TIMES, colours, pixels, n, 0);
         kind = PH_BLEND_ALPHA;
@@ -255,7 +254,7 @@ static void draw_over(struct blend_pass *o, const struct ph_triangle *keys, cons
             ph_fill(o->colours, UINT16_MAX, (uint32_t)(rows.y1 - rows.y0 - 1) * stride + x1);
         }
         o->fragments += draw_rows(t, &rows, x0, x1);
-        lay_rows(o, box, &rows, lay_over);
+        lay_rows(o, box, &rows, o->blend->kind < PH_BLEND_TIMES ? lay_cut_out : lay_over);
     }
 }
 

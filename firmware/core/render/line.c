@@ -136,13 +136,17 @@ static inline void step(struct ph_line *l, int32_t n)
 }
 
 /* How many of the next pixels lie above row y. */
-PH_TIER(scenery) static int32_t pixels_above(const struct ph_line *l, int32_t y)
+PH_TIER(scenery) static PH_NOINLINE int32_t pixels_above(const struct ph_line *l, int32_t y)
 {
+    const int32_t slope = l->slope, count = l->count;
     int32_t n = 0;
     if (!l->x_major) {
-        return ph_max(y - l->along, 0);
+        return ph_min(ph_max(y - l->along, 0), count);
     }
-    for (int32_t row = l->across; n < l->count && row >> 16 < y; row += l->slope) {
+    if ((l->across + (count - 1) * slope) >> 16 < y) {
+        return count;
+    }
+    for (int32_t row = l->across; row >> 16 < y; row += slope) {
         n++;
     }
     return n;
@@ -266,15 +270,15 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
                                          : change_before(change, part.before, part.reciprocal, part.shift));
 }
 
-/* Cuts a line's *count pixels down to those that lie in columns or rows 0 .. size - 1 across its longer axis; the first
+/* Cuts a line's *count pixels down to those that lie in columns 0 .. width - 1, where its longer axis is y; the first
  * lies at `across`. Returns how many pixels before the first one that stays were cut off. */
-static PH_NOINLINE int32_t trim(int32_t across, int32_t slope, uint32_t size, int32_t *count)
+static PH_NOINLINE int32_t trim(int32_t across, int32_t slope, uint32_t width, int32_t *count)
 {
     int32_t skipped = 0, left = *count, last = across + (left - 1) * slope;
-    for (; left > 0 && (uint32_t)(across >> 16) >= size; across += slope, left--) {
+    for (; left > 0 && (uint32_t)(across >> 16) >= width; across += slope, left--) {
         skipped++;
     }
-    for (; left > 0 && (uint32_t)(last >> 16) >= size; last -= slope) {
+    for (; left > 0 && (uint32_t)(last >> 16) >= width; last -= slope) {
         left--;
     }
     *count = left;
@@ -303,37 +307,30 @@ static PH_NOINLINE void draw_any(const struct ph_triangle *t, int32_t skipped, i
     }
 }
 
-PH_TIER(scenery) uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *band)
+/* Draws count pixels of a line, which lie in the band's rows, after the first ones, which are skipped. */
+PH_TIER(scenery)
+static PH_NOINLINE uint32_t draw_pixels(const struct ph_triangle *t, const struct ph_band *band, int32_t skipped,
+                                        int32_t count)
 {
     const struct ph_line *const l = &t->as.line.way;
-    const int32_t stride = band->stride, y0 = band->y0, rows = band->y1 - y0, slope = l->slope;
-    int32_t at = l->along, count = l->count, across = l->across, size = rows, skipped = 0; /* at: of the memory */
+    const int32_t stride = band->stride, slope = l->slope;
+    int32_t at = l->along, across = l->across + skipped * slope; /* at: of the memory */
     struct ph_line_run run;
     run.slope = slope;
     if (l->x_major) {
-        across -= y0 * 65536;
+        across -= band->y0 * 65536;
         run.stride = stride;
         run.forward = l->step;
     } else {
-        at -= y0;
-        if (at < 0) {
-            skipped = -at;
-            across += skipped * slope;
-            count -= skipped;
-            at = 0;
-        }
-        count = ph_min(count, rows - at);
-        at *= stride;
-        size = band->width;
+        const uint32_t width = (uint32_t)band->width;
+        at = (at - band->y0) * stride;
         run.stride = 1;
         run.forward = stride;
-    }
-    const int32_t last = across + (count - 1) * slope;
-    if ((uint32_t)(across >> 16) >= (uint32_t)size || (uint32_t)(last >> 16) >= (uint32_t)size) {
-        const int32_t more = trim(across, slope, (uint32_t)size, &count);
-        across += more * slope;
-        at += more * run.forward;
-        skipped += more;
+        if ((uint32_t)(across >> 16) >= width || (uint32_t)((across + (count - 1) * slope) >> 16) >= width) {
+            const int32_t more = trim(across, slope, width, &count);
+            across += more * slope;
+            skipped += more;
+        }
     }
     if (count <= 0) {
         return 0;
@@ -342,6 +339,7 @@ PH_TIER(scenery) uint32_t ph_draw_line_rows(const struct ph_triangle *t, const s
         draw_any(t, skipped, count, band);
         return (uint32_t)count;
     }
+    at += skipped * run.forward;
     run.across = across;
     run.gd = t->as.line.depth.codes.gd;
     run.d = t->as.line.depth.codes.d + (uint32_t)skipped * run.gd;
@@ -350,15 +348,36 @@ PH_TIER(scenery) uint32_t ph_draw_line_rows(const struct ph_triangle *t, const s
     return (uint32_t)count;
 }
 
-PH_TIER(scenery) void ph_line_step_below(struct ph_triangle *t, int32_t y)
+PH_TIER(scenery) static uint32_t draw_line(const struct ph_triangle *t, const struct ph_band *band)
 {
+    const struct ph_line *const l = &t->as.line.way;
+    const int32_t skipped = t->y_top > band->y0 ? 0 : pixels_above(l, band->y0);
+    const int32_t end = t->y_bottom < band->y1 ? l->count : pixels_above(l, band->y1);
+    return draw_pixels(t, band, skipped, end - skipped);
+}
+
+/* Steps a line over its next n pixels, all that lie above row y. */
+static inline void step_below(struct ph_triangle *t, int32_t n, int32_t y)
+{
+    step(&t->as.line.way, n);
     if (t->kind == PH_KIND_LINE) {
-        const int32_t n = pixels_above(&t->as.line.way, y);
-        step(&t->as.line.way, n);
         t->as.line.depth.codes.d += (uint32_t)n * t->as.line.depth.codes.gd;
-        t->y_top = (int16_t)y;
     }
+    t->y_top = (int16_t)y;
+}
+
+PH_TIER(figure) static void step_line(struct ph_triangle *t, int32_t y)
+{
+    step_below(t, pixels_above(&t->as.line.way, y), y);
+}
+
+PH_TIER(scenery) static uint32_t draw_and_step(struct ph_triangle *t, const struct ph_band *band)
+{
+    const int32_t skipped = pixels_above(&t->as.line.way, band->y0), n = pixels_above(&t->as.line.way, band->y1);
+    const uint32_t count = draw_pixels(t, band, skipped, n - skipped);
+    step_below(t, n, band->y1);
+    return count;
 }
 
 const struct ph_lines ph_lines = {
-    .setup_line = ph_setup_line, .draw_line = ph_draw_line_rows, .step_line = ph_line_step_below};
+    .setup_line = ph_setup_line, .draw_line = draw_line, .draw_and_step = draw_and_step, .step_line = step_line};

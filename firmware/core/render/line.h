@@ -17,7 +17,11 @@
 struct ph_lines {
     void (*setup_line)(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                        struct ph_triangle *t);
+    /* Draws the part of a line that lies in the band. Returns the pixels tested. */
     uint32_t (*draw_line)(const struct ph_triangle *t, const struct ph_band *band);
+    /* Draws a line that goes on below the band, and steps it down to the next one in place. */
+    uint32_t (*draw_and_step)(struct ph_triangle *t, const struct ph_band *band);
+    /* Steps a line down to row y. */
     void (*step_line)(struct ph_triangle *t, int32_t y);
 };
 
@@ -35,11 +39,5 @@ void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, 
 /* Sets up a line that has a column or row in the picture. */
 void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                    struct ph_triangle *t);
-
-/* Draws the part of a line that lies in the band. Returns the pixels tested. */
-uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *band);
-
-/* Steps a line down to row y. */
-void ph_line_step_below(struct ph_triangle *t, int32_t y);
 
 #endif

@@ -62,14 +62,10 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
     return tests ? band->coarse->occlusion->draw_unless_hidden(t, band) : ph_draw_large(t, band);
 }
 
-/* Steps a small triangle or a line down to row y1, where the next band begins; y_bottom is below y1. A triangle that
- * crosses octaves stays as it is, since its depth is rounded at its first row. */
+/* Steps a small triangle down to row y1, where the next band begins; y_bottom is below y1. A triangle that crosses
+ * octaves stays as it is, since its depth is rounded at its first row. */
 PH_TIER(loop) void ph_step_below(struct ph_triangle *t, int32_t y1)
 {
-    if (t->kind >= PH_KIND_LINE) {
-        t->as.line.lines->step_line(t, y1);
-        return;
-    }
     if (can_step(t)) {
         ph_skip_rows(&t->as.small.rows, (uint32_t)(y1 - t->y_top));
         t->y_top = (int16_t)y1;
@@ -86,12 +82,16 @@ PH_TIER(loop) static PH_NOINLINE uint32_t draw_then_step(struct ph_triangle *t, 
 
 PH_TIER(scenery) uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
 {
-    const bool begins_here = t->y_top >= band->y0;
-    if (t->kind == PH_KIND_SMALL && begins_here) { /* the most frequent */
-        return ph_draw_above_with(t, band, ph_small_gouraud);
+    if (t->y_top >= band->y0) {
+        if (t->kind == PH_KIND_SMALL) { /* the most frequent */
+            return ph_draw_above_with(t, band, ph_small_gouraud);
+        }
+        if (t->kind == PH_KIND_SMALL_KNEE) {
+            return ph_draw_above_with(t, band, band->ways->octaves->draw_knee);
+        }
     }
-    if (t->kind == PH_KIND_SMALL_KNEE && begins_here) {
-        return ph_draw_above_with(t, band, band->ways->octaves->draw_knee);
+    if (t->kind >= PH_KIND_LINE) {
+        return t->as.line.lines->draw_and_step(t, band);
     }
     return draw_then_step(t, band);
 }
