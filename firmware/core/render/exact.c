@@ -256,14 +256,12 @@ bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *str
     }
     const uint32_t x0 = (uint32_t)x, x1 = (uint32_t)x_end - 1, y0 = (uint32_t)strip->rows.y,
                    y1 = (uint32_t)strip->rows.y_end - 1;
-    const struct range corners = {load(e->low), load(e->size)};
-    const int octave = octave_of(e, depth_at(e, x0, y0));
+    const uint64_t d = depth_at(e, x0, y0);
+    const int octave = octave_of(e, d);
     const struct range range = range_of(e, strip->ways, octave);
-    for (int i = 0; i < 4; i++) {
-        const uint64_t d = depth_at(e, (i & 1) != 0 ? x1 : x0, (i & 2) != 0 ? y1 : y0);
-        if (!holds(&corners, d) || !holds(&range, d)) {
-            return false;
-        }
+    if (d - load(e->low) > load(e->size) || !holds(&range, depth_at(e, x1, y0)) ||
+        !holds(&range, depth_at(e, x0, y1)) || !holds(&range, depth_at(e, x1, y1))) {
+        return false;
     }
     const uint32_t x_mid = (x0 + x1) / 2, y_mid = (y0 + y1) / 2; /* there the rounding of the gradients counts least */
     set_run(t, strip->ways, depth_at(e, x_mid, y_mid), octave, x_mid, y_mid, run);
@@ -289,17 +287,18 @@ int32_t ph_exact_run(const struct ph_triangle *t, const struct ph_exact_ways *wa
                      struct ph_triangle *run)
 {
     const struct ph_exact *const e = &t->as.large.depth.as.exact;
-    const struct range corners = {load(e->low), load(e->size)};
+    const uint64_t low = load(e->low), size = load(e->size);
+    const uint32_t n = (uint32_t)ph_min(x_end - x, PH_EXACT_RUN);
     uint64_t d = depth_at(e, (uint32_t)x, (uint32_t)y);
     uint32_t count = 1;
-    const bool clamped = !holds(&corners, d);
+    const bool clamped = d - low > size;
     if (clamped) {
-        d = (int64_t)(d - corners.bottom) < 0 ? corners.bottom : corners.bottom + corners.size;
+        d = (int64_t)(d - low) < 0 ? low : low + size;
     }
     const int octave = octave_of(e, d);
-    if (!clamped) {
+    if (!clamped && n > 1) {
         const struct range range = range_of(e, ways, octave);
-        count = pixels_in(&range, d, load(e->gx), (uint32_t)ph_min(x_end - x, PH_EXACT_RUN));
+        count = pixels_in(&range, d, load(e->gx), n);
     }
     const uint32_t mid = (count - 1) / 2;
     set_run(t, ways, d + mid * load(e->gx), octave, (uint32_t)x + mid, (uint32_t)y, run);

@@ -81,14 +81,15 @@ static inline bool small_depths(const struct ph_setting *s, const struct ph_vert
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
 
-/* Whether a small triangle lies between all pixel centres, as thin ones often do. */
-PH_TIER(mesh) static PH_NOINLINE bool small_is_empty(const struct ph_small_triangle *s)
+/* Whether rows lie between all pixel centres: the upper ones between two edges, the left one first, which are given at
+ * the first row; then `lower` takes the place of one of them. */
+PH_TIER(mesh)
+static PH_NOINLINE bool rows_are_empty(struct ph_edge edge[2], int32_t upper_rows, const struct ph_edge *lower,
+                                       bool lower_is_right, int32_t lower_rows)
 {
-    struct ph_edge edge[2] = {{(int32_t)s->left, (int32_t)s->left_dx}, {(int32_t)s->right, (int32_t)s->right_dx}};
-    const int32_t lower_rows = s->lower_rows;
-    for (int32_t rows = s->upper_rows + lower_rows; rows > 0; rows--) {
+    for (int32_t rows = upper_rows + lower_rows; rows > 0; rows--) {
         if (rows == lower_rows) {
-            edge[s->lower_is_right] = s->lower;
+            edge[lower_is_right] = *lower;
         }
         if (edge[0].x >> 16 < edge[1].x >> 16) {
             return false;
@@ -97,6 +98,23 @@ PH_TIER(mesh) static PH_NOINLINE bool small_is_empty(const struct ph_small_trian
         ph_edge_step(&edge[1], 1);
     }
     return true;
+}
+
+/* Whether a triangle lies between all pixel centres, as thin ones often do. */
+static bool is_empty(const struct ph_triangle *t)
+{
+    const struct ph_large *const l = &t->as.large;
+    const bool long_left = l->long_left != 0;
+    struct ph_edge edge[2];
+    edge[!long_left] = l->long_edge;
+    edge[long_left] = l->upper;
+    return rows_are_empty(edge, l->y_mid - t->y_top, &l->lower, long_left, t->y_bottom - l->y_mid);
+}
+
+PH_TIER(mesh) static bool small_is_empty(const struct ph_small_triangle *s)
+{
+    struct ph_edge edge[2] = {{(int32_t)s->left, (int32_t)s->left_dx}, {(int32_t)s->right, (int32_t)s->right_dx}};
+    return rows_are_empty(edge, s->upper_rows, &s->lower, s->lower_is_right, s->lower_rows);
 }
 
 /* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits are not enough. */
@@ -157,12 +175,16 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     } else if (t->kind == PH_KIND_TEXTURE) {
         take_small_depth = t->material->shading->texturing.take_small_depth;
     }
-    if (small && s->has_codes && take_small_depth != NULL) {
+    if (s->fast.material->depth_bias_slope != 0) {
+        fits = false;
+    } else if (small && s->has_codes && take_small_depth != NULL) {
         fits = take_small_depth(t, s, v, sides, fits);
     }
-    if (!fits || s->fast.material->depth_bias_slope != 0) {
-        ph_set_exact(r, t->material, v, sides, &t->as.large.depth);
-        t->block = PH_BLOCK_EXACT;
+    if (!fits) {
+        if (!is_empty(t)) { /* an exact plane costs more than the look */
+            ph_set_exact(r, t->material, v, sides, &t->as.large.depth);
+            t->block = PH_BLOCK_EXACT;
+        }
     } else if (t->kind == PH_KIND_GOURAUD && t->block == PH_BLOCK_NONE && s->has_codes && t->y_top < t->y_bottom) {
         t->material->shading->gouraud->take_tall(t, r, v, sides);
     }
