@@ -31,6 +31,7 @@ struct blend_pass {
     uint32_t x, y; /* of the pixel that is laid first */
     const struct ph_blend *blend;
     uint32_t alpha;      /* of the whole draw, 0 .. 32 */
+    uint32_t over;       /* of a flat triangle: its spread colour times alpha, to be rounded */
     uint16_t mask, hole; /* cut-out: no pixel is where the bits of the mask are these in a texel that decides */
     struct ph_setting setting, keys; /* of the colours; of the texels that decide */
     struct ph_draw key_draw;         /* that of `keys` */
@@ -181,19 +182,19 @@ static void lay_over(struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n
 static void lay_flat(struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n) /* called as lay_row */
 {
     (void)own;
-    const struct ph_large *const large = &o->triangle->as.large;
-    const struct ph_plane *const depth = &large->depth.as.plane;
+    const struct ph_plane *const depth = &o->triangle->as.large.depth.as.plane;
     ph_span_blend(o->band->pixels + at, (const uint16_t *)o->band->depth + at, n, ph_plane_at(depth, o->x, o->y),
-                  depth->gx, ph_spread(large->of.colour) * o->alpha + PH_SPREAD_HALF, 32 - o->alpha);
+                  depth->gx, o->over, 32 - o->alpha);
     o->fragments += n;
 }
 
 /* ---- triangles -------------------------------------------------------------------------------------------------- */
 
-/* Calls lay_row for n pixels of each row that a triangle may cover: from number `at` of the band and number `own` of
- * the rows that it is drawn into. */
-static void lay_rows(struct blend_pass *o, const struct ph_box *box, const struct ph_band *rows,
-                     void (*lay_row)(struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n))
+/* Calls lay_row, which is built into a copy of its own, for n pixels of each row that a triangle may cover: from number
+ * `at` of the band and number `own` of the rows that it is drawn into. */
+static inline __attribute__((always_inline)) void
+lay_rows(struct blend_pass *o, const struct ph_box *box, const struct ph_band *rows,
+         void (*lay_row)(struct blend_pass *o, uint32_t own, uint32_t at, uint32_t n))
 {
     const struct ph_band *const band = o->band;
     const struct ph_triangle *const t = o->triangle;
@@ -205,13 +206,13 @@ static void lay_rows(struct blend_pass *o, const struct ph_box *box, const struc
         if (is_large) {
             ph_rows_of_half_apart(t, rows, half, &in);
         }
-        for (; in.y < in.y_end; in.y++) {
+        uint32_t own = (uint32_t)((in.y - rows->y0) * rows->stride), at = (uint32_t)((in.y - band->y0) * band->stride);
+        for (; in.y < in.y_end; in.y++, own += rows->stride, at += band->stride) {
             int32_t from = box->x0, to = box->x1;
             if (!is_large || ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
                 o->x = (uint32_t)from;
                 o->y = (uint32_t)in.y;
-                lay_row(o, (uint32_t)((in.y - rows->y0) * rows->stride + from),
-                        (uint32_t)((in.y - band->y0) * band->stride + from), (uint32_t)(to - from));
+                lay_row(o, own + o->x, at + o->x, (uint32_t)(to - from));
             }
         }
     }
@@ -269,6 +270,7 @@ static void draw_one(struct blend_pass *o, const struct ph_ref *ref)
     o->triangle = &t;
     if (t.kind == PH_KIND_FLAT && t.block == PH_BLOCK_NONE && !o->band->depth24 && o->r->fog == NULL &&
         o->blend->kind == PH_BLEND_ALPHA && !o->has_keys) {
+        o->over = ph_spread(t.as.large.of.colour) * o->alpha + PH_SPREAD_HALF;
         lay_rows(o, &box, o->band, lay_flat);
     } else if (o->has_keys && !o->same_keys) {
         ph_setup(&o->keys, ref, &keys);

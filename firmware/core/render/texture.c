@@ -66,7 +66,7 @@ static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile
     const struct ph_triangle *const t = k->triangle;
     const int width = map->log2_width, height = map->log2_height, range = t->as.large.of.map.range_log2;
     k->from = -(int32_t)tile->x;
-    k->clamp = (uint8_t)ways_outside(t, map, s);
+    k->clamp = map->wrap == PH_WRAP_REPEAT ? 0 : (uint8_t)ways_outside(t, map, s); /* most textures repeat */
     k->fast = !k->depth24 && t->block != PH_BLOCK_LINEAR && (k->clamp == 0 || ph_fits_clamped(map, range));
     k->u_down = 29 - range - width;
     k->v_down = 29 - range - height;
