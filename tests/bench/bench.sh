@@ -29,13 +29,6 @@ missing() { # core: what it needs and is not here
     esac
 }
 
-# Code and variables of firmware/core as the benchmark has it: core, bytes, bytes.
-core_size() { # core
-    local size=arm-none-eabi-size
-    case "$1" in x86_64) return 0 ;; rv32) size=riscv64-unknown-elf-size ;; esac
-    find "$B/bench-$1/firmware/core" -name '*.o' -print0 | xargs -0 $size -t | awk -v core="$1" 'END { print core, $1, $2 + $3 }'
-}
-
 # Code and variables of the image of all demos, and its frames a second. The icosphere does not fit in with the others.
 on_rp2040() {
     local cores
@@ -61,7 +54,6 @@ for core in "$@"; do
     if [ "$core" = x86_64 ]; then list='kit fixed16 float16'; else list=${FORMATS:-all}; fi
     for format in $list; do tests/bench/run.sh "$core" all "$format"; done | awk -v core="$core" 'NF == 5 && $1 ~ /^S/ { print core, $0 }' >>"$dir/lines"
     PROGRAM=cliffs tests/bench/run.sh "$core" | sed -n "/known-loop/!s/^/$core /p" >>"$dir/cliffs"
-    core_size "$core" >>"$dir/sizes"
 done
 
 # The pictures are those of the simulator, on every core; those of S6, S7 and S8, which are no demos, are the same on all of them.

@@ -144,11 +144,11 @@ function cliffs_table(   i, c, line, name, of) {
 }
 
 function sizes_table(   n, i, list, name, tail) {
-    print "\nBytes: code, variables. The core as it is benchmarked (-O3); rp2040: images of all demos for one core and for two"
+    print "\nBytes of the images of all demos: code, variables"
     n = split(sizes, list, " ")
     for (i = 1; i <= n; i++) {
         split(list[i], name, ",")
-        tail = !(2 in name) ? "" : name[2] == 1 ? "_1core" : "_2cores"
+        tail = name[2] == 1 ? "_1core" : "_2cores"
         printf "%-14s %8d %8d\n", name[1] tail, code[list[i]], memory[list[i]]
         row(name[1], "all", "code_bytes" tail, code[list[i]], "", "", "")
         row(name[1], "all", "ram_bytes" tail, memory[list[i]], "", "", "")

@@ -308,9 +308,8 @@ static PH_NOINLINE void draw_any(const struct ph_triangle *t, int32_t skipped, i
 }
 
 /* Draws count pixels of a line, which lie in the band's rows, after the first ones, which are skipped. */
-PH_TIER(scenery)
-static PH_NOINLINE uint32_t draw_pixels(const struct ph_triangle *t, const struct ph_band *band, int32_t skipped,
-                                        int32_t count)
+static inline __attribute__((always_inline)) uint32_t
+draw_pixels(const struct ph_triangle *t, const struct ph_band *band, int32_t skipped, int32_t count)
 {
     const struct ph_line *const l = &t->as.line.way;
     const int32_t stride = band->stride, slope = l->slope;
