@@ -30,10 +30,11 @@ slow_sanitized="$slow_units test_cores test_fisheye test_wire test_depth_mpfr te
 slow_sanitized+=' test_depth test_demos test_gif_out test_ahead test_depth_mesa test_fx_math test_shadow test_panel_tiles'
 slow_sanitized+=' test_fx test_vertices test_counters test_sim_table test_dither test_texture test_demo_views test_coverage'
 slow_sanitized+=' test_model_load test_depth_separation test_sim_page test_points'
+long_units='test_depth_slopes test_depth_planes test_ahead test_wire' # those that `test` leaves out
 unit_tests='tests/*/test_*.c tests/*/*/test_*.c'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.
-first='test_firmware_rp2350 test_size test_asset_cli test_kernels test_small test_targets
+first='test_size test_asset_cli test_kernels test_small test_targets
 test_house test_sim_cli test_readme test_firmware_scene
 long_boards_rp2040 long_firmware_rp2350 exhaustive_fx_math exhaustive_fx long_guest_soak long_guest_panel_boards long_mutants long_proof
 long_debian13 long_bare long_guest_backends long_guest_flash_cuts long_guest_usb long_guest_panel long_make long_firmware_rp2040 long_firmware_rp2350_emulated long_firmware long_firmware_lm3s long_guest_flash'
@@ -147,7 +148,7 @@ list() {
     test)
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
         for f in tests/*/test_*.sh; do echo "$(basename "$f" .sh) - $f"; done
-        for f in $unit_tests; do one_way "$f" "$slow_sanitized"; done
+        for f in $unit_tests; do is_one_of "$f" "$long_units" || one_way "$f" "$slow_sanitized"; done
         ;;
     long)
         for f in $unit_tests; do other_way "$f" "$slow_sanitized"; done

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Like tests/firmware/long_firmware_rp2350_emulated.sh for every RP2350 board, both instruction sets, with one core and with
-# two: every demo for some frames, with buttons pressed. The rates of one board are those of tests/bench/README.md. What
-# test_firmware_rp2350.sh checks of images for Arm holds for RISC-V.
+# two: every demo for some frames, with buttons pressed. The rates of one board are those of tests/bench/README.md. Images of
+# each kind are what the boot ROM starts (rp2350_image.sh).
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -40,5 +40,7 @@ for ISA in arm riscv; do
     ! in_share || check "frame_rates_are_as_in_the_table_$ISA" as_in_the_table "$("$B/pinhole-sim" --list | awk '$1 == "demo" && !/; by name only$/' | wc -l)"
 done
 ! in_share || ISA=arm check "light_without_bands_is_the_simulators" light_without_bands pico2-display
-! in_share || check "images_for_RISC-V_are_what_its_boot_ROM_starts" env ISA=riscv tests/firmware/test_firmware_rp2350.sh
+for ISA in arm riscv; do
+    ! in_share || check "images_for_${ISA}_are_what_its_boot_ROM_starts" tests/firmware/rp2350_image.sh
+done
 tap_end

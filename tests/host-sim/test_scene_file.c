@@ -358,7 +358,7 @@ KIND(light_below_zero, SURFACE, mesh_in(bytes, ANY)->diffuse = -1)
 KIND(light_above_one, SURFACE, mesh_in(bytes, ANY)->specular = FX_ONE + 1)
 KIND(alpha_above_one, SURFACE, mesh_in(bytes, ANY)->alpha = 33)
 KIND(an_unknown_blend, SURFACE, mesh_in(bytes, ANY)->blend = SCENE_FILE_TIMES + 1)
-KIND(wires_without_edges, SURFACE, mesh_in(bytes, OPAQUE)->shading = SCENE_FILE_WIRE)
+KIND(a_shading_between_others_that_is_none, SURFACE, mesh_in(bytes, OPAQUE)->shading = SCENE_FILE_TEXTURE_LIT + 1)
 KIND(a_mask_that_is_not_there, SURFACE, mesh_in(bytes, OPAQUE)->blend = SCENE_FILE_MASK)
 KIND(a_mask_that_is_not_used, SURFACE, mesh_in(bytes, MASKED)->blend = SCENE_FILE_OPAQUE)
 KIND(a_texture_that_is_not_used, INSIDE, mesh_in(bytes, TEXTURED)->shading = SCENE_FILE_GOURAUD)
@@ -458,7 +458,7 @@ static void each_kind_of_wrong_content_is_refused_or_is_meant(void **state)
                                         ROW(light_above_one),
                                         ROW(alpha_above_one),
                                         ROW(an_unknown_blend),
-                                        ROW(wires_without_edges),
+                                        ROW(a_shading_between_others_that_is_none),
                                         ROW(a_mask_that_is_not_there),
                                         ROW(a_mask_that_is_not_used),
                                         ROW(a_texture_that_is_not_used),

@@ -60,7 +60,7 @@ for function in $named; do check "everything_or_points_links_$function" is_linke
 sed 's|^    const struct ph_config|    ph_draw_line(\&renderer, positions[0], positions[1], \&material);\n&|' tests/size/unlit.c >"$dir/unlit.c"
 a_call_is_seen() {
     grep -q ph_draw_line "$dir/unlit.c" && bytes_of -Itests/size "$dir/unlit.c" >/dev/null &&
-        ! links_none_of ph_light_vertex ph_draw_line_rows >"$dir/said" && grep -qx 'it links ph_draw_line_rows' "$dir/said"
+        ! links_none_of ph_light_vertex ph_setup_line >"$dir/said" && grep -qx 'it links ph_setup_line' "$dir/said"
 }
 check "a_call_that_pulls_a_feature_in_is_seen" a_call_is_seen
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Images for the RP2350, for its Arm and its RISC-V cores, keep to their budgets, and are what its boot ROM starts: vectors at
 # the beginning of flash or an entry point, an image definition within the first 4 KB, UF2 blocks of the right family.
-# Environment: ISA (arm; long_firmware_rp2350.sh takes riscv).
+# Environment: ISA (arm, riscv). long_firmware_rp2350.sh calls it with each.
 # shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { cat; return 1; }` says why it fails
 set -u
 cd "$(dirname "$0")/../.." || exit 1
