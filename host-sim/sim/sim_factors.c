@@ -24,7 +24,7 @@ static struct sim_fraction signed_as(bool other_sign, struct sim_fraction a)
 static struct sim_fraction eye_at(const struct ph_xform *view, int i)
 {
     const fx_t t[3] = {view->t.x, view->t.y, view->t.z};
-    struct sim_fraction sum = {0, 1};
+    struct sim_fraction sum = sim_fraction_of(0, 0);
     for (int k = 0; k < 3; k++) {
         sum = sim_fraction_add(sum, sim_fraction_times(sim_fraction_of(view->r[k][i], 30), sim_fraction_of(t[k], 16)));
     }
@@ -66,17 +66,17 @@ static void put_box(FILE *file, const struct ph_projection *p, enum ph_conventio
                     struct sim_fraction f, struct sim_fraction to_unit)
 {
     const struct sim_fraction range = sim_fraction_add(f, sim_fraction_minus(n)), sum = sim_fraction_add(n, f);
-    const struct sim_fraction half = {1, 2};
+    const struct sim_fraction half = sim_fraction_of(1, 1);
     const struct sim_fraction scale[2] = {sim_fraction_of(p->scale_x_q20, 20), sim_fraction_of(p->scale_y_q20, 20)};
     const fx_t shift[2] = {p->shift_x, p->shift_y};
     for (int i = 0; i < 2; i++) {
         put_nearest(file, "scale", i, i, sim_fraction_divide(scale[i], to_unit));
     }
-    put_nearest(file, "scale", 2, 2, sim_fraction_divide((struct sim_fraction){spans[convention], 1}, range));
+    put_nearest(file, "scale", 2, 2, sim_fraction_divide(sim_fraction_of(spans[convention], 0), range));
     for (int i = 0; i < 2; i++) {
         const struct sim_fraction off = sim_fraction_times(sim_fraction_of(shift[i], 16), to_unit);
         put_nearest(file, "shift", i, 3,
-                    scale[i].over == 0 ? scale[i] : sim_fraction_minus(sim_fraction_divide(off, scale[i])));
+                    sim_fraction_is_0(scale[i]) ? scale[i] : sim_fraction_minus(sim_fraction_divide(off, scale[i])));
     }
     const struct sim_fraction middle = convention == PH_D3D        ? n
                                        : convention == PH_REVERSED ? f
@@ -89,7 +89,7 @@ void sim_factors_print(FILE *file, const struct ph_xform *view, const struct ph_
 {
     const enum ph_convention convention = writing.convention;
     const struct sim_fraction near = sim_fraction_of(projection->near_z, 16),
-                              far = sim_fraction_of(projection->far_z, 16), one = {1, 1};
+                              far = sim_fraction_of(projection->far_z, 16), one = sim_fraction_of(1, 0);
     const bool back = convention != PH_D3D; /* what is visible has z < 0 */
     const struct sim_fraction n = signed_as(back, near), f = signed_as(back, far);
     put_view(file, view, writing);
@@ -106,7 +106,7 @@ void sim_factors_print(FILE *file, const struct ph_xform *view, const struct ph_
         put_nearest(file, "persp", 1, 1, on);
         sim_fraction_print(file, "w1", w1, sim_fraction_code(w1));
         sim_fraction_print(file, "w2", w2, sim_fraction_code(w2));
-        put_nearest(file, "persp", 3, 2, (struct sim_fraction){by_z ? 1 : -1, 1});
-        put_nearest(file, "persp", 3, 3, (struct sim_fraction){0, 1});
+        put_nearest(file, "persp", 3, 2, sim_fraction_of(by_z ? 1 : -1, 0));
+        put_nearest(file, "persp", 3, 3, sim_fraction_of(0, 0));
     }
 }

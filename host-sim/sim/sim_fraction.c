@@ -1,66 +1,184 @@
 /* See sim_fraction.h. */
 #include "sim_fraction.h"
 
-#include <stdbool.h>
+#include <math.h>
 
-struct sim_fraction sim_fraction_reduced(sim_wide over, sim_wide under)
+/* ---- 128 bits ---- */
+
+static struct sim_wide wide_of(uint64_t value)
 {
-    sim_wide a = over < 0 ? -over : over, b = under < 0 ? -under : under;
-    while (b != 0) {
-        const sim_wide rest = a % b;
-        a = b, b = rest;
+    return (struct sim_wide){0, value};
+}
+
+static bool is_zero(struct sim_wide a)
+{
+    return (a.high | a.low) == 0;
+}
+
+static bool is_below(struct sim_wide a, struct sim_wide b)
+{
+    return a.high != b.high ? a.high < b.high : a.low < b.low;
+}
+
+static struct sim_wide plus(struct sim_wide a, struct sim_wide b)
+{
+    const uint64_t low = a.low + b.low;
+    return (struct sim_wide){a.high + b.high + (low < a.low), low};
+}
+
+static struct sim_wide minus(struct sim_wide a, struct sim_wide b)
+{
+    return (struct sim_wide){a.high - b.high - (a.low < b.low), a.low - b.low};
+}
+
+static struct sim_wide times(struct sim_wide a, struct sim_wide b)
+{
+    const uint64_t half = UINT32_MAX, a0 = a.low & half, a1 = a.low >> 32, b0 = b.low & half, b1 = b.low >> 32;
+    const uint64_t middle = a1 * b0 + (a0 * b0 >> 32), other = a0 * b1 + (middle & half);
+    return (struct sim_wide){a1 * b1 + (middle >> 32) + (other >> 32) + a.high * b.low + a.low * b.high, a.low * b.low};
+}
+
+/* Shifts to the left, or, below 0, to the right. n: -127 .. 127. */
+static struct sim_wide shifted(struct sim_wide a, int n)
+{
+    if (n >= 64) {
+        return (struct sim_wide){a.low << (n - 64), 0};
     }
-    const sim_wide by = under < 0 ? -a : a;
-    return by == 0 ? (struct sim_fraction){0, 1} : (struct sim_fraction){over / by, under / by};
+    if (n <= -64) {
+        return (struct sim_wide){0, a.high >> (-n - 64)};
+    }
+    return n == 0  ? a
+           : n > 0 ? (struct sim_wide){a.high << n | a.low >> (64 - n), a.low << n}
+                   : (struct sim_wide){a.high >> -n, a.low >> -n | a.high << (64 + n)};
+}
+
+/* The number of bits that a takes. */
+static int bits_of(struct sim_wide a)
+{
+    return a.high != 0 ? 128 - __builtin_clzll(a.high) : a.low != 0 ? 64 - __builtin_clzll(a.low) : 0;
+}
+
+/* a / b, bit by bit; *rest becomes what is left. b is not 0. */
+static struct sim_wide divided(struct sim_wide a, struct sim_wide b, struct sim_wide *rest)
+{
+    struct sim_wide quotient = wide_of(0);
+    for (int n = bits_of(a) - bits_of(b); n >= 0; n--) {
+        const struct sim_wide part = shifted(b, n);
+        if (!is_below(a, part)) {
+            a = minus(a, part);
+            quotient = plus(quotient, shifted(wide_of(1), n));
+        }
+    }
+    *rest = a;
+    return quotient;
+}
+
+/* Takes the zeros at the end off; a is not 0. Returns how many there were. */
+static int odd_part(struct sim_wide *a)
+{
+    const int n = a->low != 0 ? __builtin_ctzll(a->low) : 64 + __builtin_ctzll(a->high);
+    *a = shifted(*a, -n);
+    return n;
+}
+
+/* The largest number that divides both (J. Stein's way); the other one if one is 0. */
+static struct sim_wide common_divisor(struct sim_wide a, struct sim_wide b)
+{
+    if (is_zero(a) || is_zero(b)) {
+        return is_zero(a) ? b : a;
+    }
+    const int of_a = odd_part(&a), of_b = odd_part(&b);
+    while (is_below(a, b) || is_below(b, a)) {
+        if (is_below(a, b)) {
+            const struct sim_wide swapped = a;
+            a = b;
+            b = swapped;
+        }
+        a = minus(a, b);
+        odd_part(&a);
+    }
+    return shifted(a, of_a < of_b ? of_a : of_b);
+}
+
+static long double real_of(struct sim_wide a)
+{
+    return ldexpl((long double)a.high, 64) + (long double)a.low;
+}
+
+/* ---- fractions ---- */
+
+/* over / under in lowest terms; 0 / 0 is 0. */
+static struct sim_fraction reduced(bool is_negative, struct sim_wide over, struct sim_wide under)
+{
+    const struct sim_wide by = common_divisor(over, under);
+    struct sim_wide rest;
+    if (is_zero(by)) {
+        return (struct sim_fraction){over, wide_of(1), false};
+    }
+    return (struct sim_fraction){divided(over, by, &rest), divided(under, by, &rest), is_negative && !is_zero(over)};
 }
 
 struct sim_fraction sim_fraction_of(int32_t value, int bits)
 {
-    return sim_fraction_reduced(value, (sim_wide)1 << bits);
+    const uint64_t size = value < 0 ? 0 - (uint64_t)value : (uint64_t)value;
+    return reduced(value < 0, wide_of(size), wide_of((uint64_t)1 << bits));
 }
 
 struct sim_fraction sim_fraction_add(struct sim_fraction a, struct sim_fraction b)
 {
-    const struct sim_fraction common = sim_fraction_reduced(a.under, b.under);
-    return sim_fraction_reduced(a.over * common.under + b.over * common.over, a.under * common.under);
+    const struct sim_fraction common = reduced(false, a.under, b.under);
+    const struct sim_wide left = times(a.over, common.under), right = times(b.over, common.over),
+                          under = times(a.under, common.under);
+    if (a.is_negative == b.is_negative) {
+        return reduced(a.is_negative, plus(left, right), under);
+    }
+    return is_below(left, right) ? reduced(b.is_negative, minus(right, left), under)
+                                 : reduced(a.is_negative, minus(left, right), under);
 }
 
 struct sim_fraction sim_fraction_times(struct sim_fraction a, struct sim_fraction b)
 {
-    const struct sim_fraction c = sim_fraction_reduced(a.over, b.under), d = sim_fraction_reduced(b.over, a.under);
-    return sim_fraction_reduced(c.over * d.over, c.under * d.under);
+    const struct sim_fraction c = reduced(false, a.over, b.under), d = reduced(false, b.over, a.under);
+    return reduced(a.is_negative != b.is_negative, times(c.over, d.over), times(c.under, d.under));
 }
 
 struct sim_fraction sim_fraction_minus(struct sim_fraction a)
 {
-    return (struct sim_fraction){-a.over, a.under};
+    return (struct sim_fraction){a.over, a.under, !a.is_negative && !is_zero(a.over)};
 }
 
 struct sim_fraction sim_fraction_divide(struct sim_fraction a, struct sim_fraction b)
 {
-    return sim_fraction_times(a, sim_fraction_reduced(b.under, b.over));
+    return sim_fraction_times(a, (struct sim_fraction){b.under, b.over, b.is_negative});
+}
+
+bool sim_fraction_is_0(struct sim_fraction a)
+{
+    return is_zero(a.over);
 }
 
 fx_t sim_fraction_code(struct sim_fraction a)
 {
-    const bool negative = a.over < 0;
-    const sim_wide over = negative ? -a.over : a.over, whole = over / a.under, rest = over % a.under;
-    const sim_wide code =
-        whole > FX_MAX ? (sim_wide)FX_MAX + 1 : whole * FX_ONE + (rest * 2 * FX_ONE + a.under) / (2 * a.under);
-    return negative ? (fx_t)(code > -(sim_wide)FX_MIN ? FX_MIN : -code) : (fx_t)(code > FX_MAX ? FX_MAX : code);
+    struct sim_wide rest, unused;
+    const struct sim_wide whole = divided(a.over, a.under, &rest), twice = shifted(rest, 17);
+    const struct sim_wide steps = divided(plus(twice, a.under), shifted(a.under, 1), &unused);
+    const uint64_t most = (uint64_t)FX_MAX + a.is_negative;
+    const uint64_t code = whole.high != 0 || whole.low > FX_MAX ? most : whole.low * FX_ONE + steps.low;
+    const int64_t held = (int64_t)(code < most ? code : most);
+    return (fx_t)(a.is_negative ? -held : held);
 }
 
-static void put_wide(FILE *file, sim_wide value)
+static void put_wide(FILE *file, struct sim_wide value)
 {
     char digits[48];
     int at = (int)sizeof digits - 1;
-    const bool negative = value < 0;
     digits[at] = '\0';
     do {
-        digits[--at] = (char)('0' + (int)(negative ? -(value % 10) : value % 10));
-        value /= 10;
-    } while (value != 0);
-    fprintf(file, "%s%s", negative ? "-" : "", digits + at);
+        struct sim_wide digit;
+        value = divided(value, wide_of(10), &digit);
+        digits[--at] = (char)('0' + (int)digit.low);
+    } while (!is_zero(value));
+    fputs(digits + at, file);
 }
 
 static void put_value(FILE *file, long double value, fx_t code)
@@ -70,13 +188,14 @@ static void put_value(FILE *file, long double value, fx_t code)
 
 void sim_fraction_print(FILE *file, const char *name, struct sim_fraction exact, fx_t code)
 {
-    fprintf(file, "%s ", name);
+    const long double size = real_of(exact.over) / real_of(exact.under);
+    fprintf(file, "%s %s", name, exact.is_negative ? "-" : "");
     put_wide(file, exact.over);
-    if (exact.under != 1) {
+    if (exact.under.high != 0 || exact.under.low != 1) {
         fputc('/', file);
         put_wide(file, exact.under);
     }
-    put_value(file, (long double)exact.over / (long double)exact.under, code);
+    put_value(file, exact.is_negative ? -size : size, code);
 }
 
 void sim_decimal_print(FILE *file, const char *name, long double value, fx_t code)

@@ -11,25 +11,28 @@
 
 #include "fx.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 
-typedef __int128 sim_wide;
-
-/* In lowest terms; under is more than 0. */
-struct sim_fraction {
-    sim_wide over, under;
+/* 128 bits, which not every machine has as a type. */
+struct sim_wide {
+    uint64_t high, low;
 };
 
-/* over / under in lowest terms. Either may be below 0; 0 / 0 is 0. */
-struct sim_fraction sim_fraction_reduced(sim_wide over, sim_wide under);
+/* In lowest terms; under is more than 0, and 0 is not negative. */
+struct sim_fraction {
+    struct sim_wide over, under;
+    bool is_negative;
+};
 
-/* value / 2^bits. */
+/* value / 2^bits; bits: 0 .. 63. */
 struct sim_fraction sim_fraction_of(int32_t value, int bits);
 
 struct sim_fraction sim_fraction_add(struct sim_fraction a, struct sim_fraction b);
 struct sim_fraction sim_fraction_times(struct sim_fraction a, struct sim_fraction b);
 struct sim_fraction sim_fraction_minus(struct sim_fraction a);
 struct sim_fraction sim_fraction_divide(struct sim_fraction a, struct sim_fraction b); /* b is not 0 */
+bool sim_fraction_is_0(struct sim_fraction a);
 
 /* The nearest Q16.16, half a step away from 0; it saturates. */
 fx_t sim_fraction_code(struct sim_fraction a);

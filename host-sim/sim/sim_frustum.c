@@ -23,7 +23,8 @@ int sim_frustum_print(FILE *file, const struct ph_projection *p, fx_t distance, 
     }
     const bool parallel = p->kind == PH_ORTHOGRAPHIC;
     const struct sim_fraction x = sim_fraction_of(p->scale_x_q20, 20), y = sim_fraction_of(p->scale_y_q20, 20);
-    const struct sim_fraction aspect = sim_fraction_divide(y, x), z = sim_fraction_of(distance, 16), two = {2, 1};
+    const struct sim_fraction aspect = sim_fraction_divide(y, x), z = sim_fraction_of(distance, 16),
+                              two = sim_fraction_of(2, 0);
     const struct sim_fraction whole = parallel ? two : sim_fraction_times(two, z);
     fx_t size[2];
     ph_projection_size_at(p, distance, &size[0], &size[1]);

@@ -26,12 +26,12 @@ static struct sim_fraction clip_depth(const struct ph_projection *p, enum ph_con
                                       struct sim_fraction z)
 {
     const struct sim_fraction n = sim_fraction_of(p->near_z, 16), f = sim_fraction_of(p->far_z, 16),
-                              range = sim_fraction_add(f, sim_fraction_minus(n)), two = {2, 1};
+                              range = sim_fraction_add(f, sim_fraction_minus(n)), two = sim_fraction_of(2, 0);
     const bool parallel = p->kind == PH_ORTHOGRAPHIC;
     /* from 0 at the near plane to w at the far one */
     const struct sim_fraction way = sim_fraction_divide(sim_fraction_add(z, sim_fraction_minus(n)), range),
                               zero = parallel ? way : sim_fraction_times(way, f);
-    const struct sim_fraction w = parallel ? (struct sim_fraction){1, 1} : z;
+    const struct sim_fraction w = parallel ? sim_fraction_of(1, 0) : z;
     const struct sim_fraction both = sim_fraction_add(sim_fraction_times(two, zero), sim_fraction_minus(w));
     return convention == PH_D3D        ? zero
            : convention == PH_REVERSED ? sim_fraction_add(w, sim_fraction_minus(zero))
@@ -44,7 +44,8 @@ static struct sim_fraction clip_depth(const struct ph_projection *p, enum ph_con
 static struct place clipped(const struct ph_projection *p, enum ph_convention convention, const struct place *camera)
 {
     const bool parallel = p->kind == PH_ORTHOGRAPHIC, turned = convention == PH_LMU && !parallel;
-    const struct sim_fraction distance = sim_fraction_minus(camera->c[2]), one = {1, 1}, w = parallel ? one : distance;
+    const struct sim_fraction distance = sim_fraction_minus(camera->c[2]), one = sim_fraction_of(1, 0),
+                              w = parallel ? one : distance;
     struct place out;
     out.c[0] = sim_fraction_add(sim_fraction_times(sim_fraction_of(p->scale_x_q20, 20), camera->c[0]),
                                 sim_fraction_minus(sim_fraction_times(sim_fraction_of(p->shift_x, 16), w)));
@@ -94,7 +95,7 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
                     struct sim_matrix_writing writing)
 {
     const enum ph_convention convention = writing.convention;
-    const struct sim_fraction half = {1, 2}, one = {1, 1};
+    const struct sim_fraction half = sim_fraction_of(1, 1), one = sim_fraction_of(1, 0);
     struct ph_mat4 lens;
     const int status = ph_matrix_projection(&lens, projection, convention);
     if (status != 0) {
@@ -119,17 +120,17 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
     const struct place world = moved(object, &exact), camera = moved(view, &world);
     const struct place exact_clip = clipped(projection, convention, &camera);
     struct place exact_ndc = exact_clip, exact_pixel;
-    if (exact_clip.c[3].over == 0) {
+    if (sim_fraction_is_0(exact_clip.c[3])) {
         return PH_ERR_RANGE;
     }
     for (int i = 0; i < 3; i++) {
         exact_ndc.c[i] = sim_fraction_divide(exact_clip.c[i], exact_clip.c[3]);
     }
     const struct sim_fraction up = convention == PH_LMU ? exact_ndc.c[1] : sim_fraction_minus(exact_ndc.c[1]);
-    exact_pixel.c[0] = sim_fraction_times(sim_fraction_times(sim_fraction_add(exact_ndc.c[0], one), half),
-                                          (struct sim_fraction){width, 1});
+    exact_pixel.c[0] =
+        sim_fraction_times(sim_fraction_times(sim_fraction_add(exact_ndc.c[0], one), half), sim_fraction_of(width, 0));
     exact_pixel.c[1] =
-        sim_fraction_times(sim_fraction_times(sim_fraction_add(up, one), half), (struct sim_fraction){height, 1});
+        sim_fraction_times(sim_fraction_times(sim_fraction_add(up, one), half), sim_fraction_of(height, 0));
     const struct place shown_world = written(world, writing.left_world), shown = written(camera, convention == PH_D3D);
     put_stage(file, "object", &exact, &at, 3);
     put_stage(file, "world", &shown_world, &in_world, 3);
@@ -144,8 +145,8 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
 void sim_point_flatten(FILE *file, struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view,
                        const struct ph_mat4 *flat, struct sim_matrix_writing writing)
 {
-    const struct place exact = {
-        {sim_fraction_of(point.x, 16), sim_fraction_of(point.y, 16), sim_fraction_of(point.z, 16), {1, 1}}};
+    const struct place exact = {{sim_fraction_of(point.x, 16), sim_fraction_of(point.y, 16),
+                                 sim_fraction_of(point.z, 16), sim_fraction_of(1, 0)}};
     const struct place world = moved(object, &exact), camera = moved(view, &world);
     const struct place seen = written(camera, writing.convention == PH_D3D);
     const struct fx_vec3 at = ph_xform_point(view, ph_xform_point(object, point));
@@ -153,13 +154,13 @@ void sim_point_flatten(FILE *file, struct fx_vec3 point, const struct ph_xform *
     const struct ph_vec4 code = ph_mat4_apply(flat, in_view);
     struct place out;
     for (int i = 0; i < 4; i++) {
-        out.c[i] = (struct sim_fraction){0, 1};
+        out.c[i] = sim_fraction_of(0, 0);
         for (int j = 0; j < 4; j++) {
             out.c[i] = sim_fraction_add(out.c[i], sim_fraction_times(sim_fraction_of(flat->m[i][j], 16), seen.c[j]));
         }
     }
     put_stage(file, "flatten", &out, &code, 4);
-    if (out.c[3].over == 0 || code.w == 0) { /* the point is projected to infinity */
+    if (sim_fraction_is_0(out.c[3]) || code.w == 0) { /* the point is projected to infinity */
         return;
     }
     const struct ph_vec4 divided = {fx_div_sat(code.x, code.w), fx_div_sat(code.y, code.w), fx_div_sat(code.z, code.w),
