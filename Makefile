@@ -23,7 +23,8 @@ misread = $(strip $(word 2,$(1))$(foreach c,' " ` ; & < > | * ? [ ] { } : % ! \ 
 $(if $(call misread,$(B)),$(error B='$(B)': make takes no folder with spaces or other special characters in its name))
 
 Q = $(if $(filter 1,$(V)),,@)
-say = $(if $(filter 1,$(V))$(findstring s,$(firstword -$(MAKEFLAGS))),,@printf '  %-7s %s\n' $(1))
+# make prints it itself: a process for each object takes longer.
+say = $(if $(filter 1,$(V))$(findstring s,$(firstword -$(MAKEFLAGS))),,$(info $()  $(1)))
 
 WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef -Wcast-qual -Wwrite-strings \
        -Wpointer-arith -Wvla -Wformat=2
@@ -114,9 +115,13 @@ REGISTERS := $(wildcard host-sim/emulate/registers/registers.c)
 HOST := $(filter-out $(MAINS),$(HOST)) $(REGISTERS) $(wildcard host-sim/emulate/*/registers_table.c host-sim/emulate/*/emulate_*.c)
 PROGRAMS := $(patsubst %.c,$(B)/%,$(subst _,-,$(notdir $(if $(SPIDEV),$(MAINS),$(filter-out %/pinhole_panel.c,$(MAINS))))))
 
+# Rooms of programs that `make demo` does not run: a library of their own, for which it does not wait.
+TOOLS := $(filter $(patsubst %,host-sim/%/%,depth emulate flash panel wire),$(HOST))
+SHOWING := $(B)/pinhole-sim $(B)/pinhole-sheet
+
 # The libraries, in the order in which they are linked: each uses those that come after it.
 objects = $(patsubst %,$(B)/%.o,$(basename $(1)))
-LIBS := $(B)/libpinhole-host.a $(B)/libpinhole-app.a $(B)/libpinhole-hal.a $(B)/libpinhole.a
+LIBS := $(B)/libpinhole-tools.a $(B)/libpinhole-host.a $(B)/libpinhole-app.a $(B)/libpinhole-hal.a $(B)/libpinhole.a
 LIB := $(CORE) $(APP_SRC) $(HAL) $(BOARDS) $(HOST)
 OBJ = $(call objects,$(LIB)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o) $(DEMOS_MORE_O) $(PANELS_MORE_O)
 
@@ -153,7 +158,7 @@ $(B)/hal/kms/$(DRM)/%.o: INC = -Ihal $(DRM_CFLAGS)
 $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
 $(B)/host-sim/%.o: INC = $(INC_HOST)
 $(B)/host-sim/sim/%.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers model asset)
-$(B)/host-sim/sim/sim_point.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab)
+$(B)/host-sim/sim/sim_point.o $(B)/host-sim/sim/sim_fraction.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab)
 $(B)/host-sim/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model model/formats model/gltf)
 $(B)/host-sim/asset/%.o: INC = $(INC_HOST) $(call rooms,host-sim,asset model)
 $(B)/host-sim/panel/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
@@ -245,7 +250,8 @@ $(if $(PANELS_MORE),$(eval $(call rule_of_more,panels,$(PANEL_DIR),panel_$$*)))
 $(B)/libpinhole.a: $(call objects,$(CORE))
 $(B)/libpinhole-hal.a: $(call objects,$(HAL) $(BOARDS)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o) $(PANELS_MORE_O)
 $(B)/libpinhole-app.a: $(call objects,$(APP_SRC)) $(DEMOS_MORE_O)
-$(B)/libpinhole-host.a: $(call objects,$(HOST))
+$(B)/libpinhole-host.a: $(call objects,$(filter-out $(TOOLS),$(HOST)))
+$(B)/libpinhole-tools.a: $(call objects,$(TOOLS))
 $(LIBS): $(B)/files
 	$(call say,AR $@)
 	$(Q)rm -f $@.part; $(AR) rcs $@.part $(filter %.o,$^) && mv $@.part $@
@@ -254,9 +260,11 @@ $(B)/libtests.a: $(TEST_OBJ) $(B)/flags
 	$(call say,AR $@)
 	$(Q)rm -f $@.part; $(AR) rcs $@.part $(TEST_OBJ) && mv $@.part $@
 
-$(PROGRAMS): $(LIBS)
+$(PROGRAMS): $(filter-out %-tools.a,$(LIBS))
+$(filter-out $(SHOWING),$(PROGRAMS)): $(B)/libpinhole-tools.a
+$(PROGRAMS):
 	$(call say,LD $@)
-	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(LIBS) -Wl,--as-needed $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(filter $^,$(LIBS)) -Wl,--as-needed $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 $(foreach p,$(PROGRAMS:$(B)/pinhole-%=%),$(eval $(B)/pinhole-$(p): $(B)/host-sim/$(p)/pinhole_$(p).o))
 $(B)/pinhole-depth: override LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=depth_layers_draw_mesh # depth_layers.c records what a demo draws
 $(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_frame_begin,--defsym=__wrap_ph_frame_begin=sim_cameras_frame_begin # sim_cameras.c records
@@ -290,7 +298,7 @@ long-programs: $(LONG)
 -include firmware/firmware.mk firmware/package/package.mk host-sim/page/page.mk
 
 demo: ## renders the demonstration into build/demo (needs nothing but cc and make)
-	+$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$$(getconf _NPROCESSORS_ONLN || echo 1)) '$(B)/pinhole-sim' '$(B)/pinhole-sheet'
+	+$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$$(getconf _NPROCESSORS_ONLN || echo 1)) $(SHOWING:%='%')
 	$(Q)B='$(B)' sh host-sim/demo.sh
 
 check: ## the unit tests and the quick scripts, for every edit; installs nothing (under 90 seconds on 2 cores)

@@ -130,7 +130,7 @@ firmware: $(SCENE_C) ## BOARD=x [APP=demos|depth|FILE.c] [SCENE=FILE.glb]: an im
 ifneq ($(if $(OUT),,$(SCENE_C)),)
 $(SCENE_C): $(B)/pinhole-asset FORCE
 	@mkdir -p $(@D)
-	$(call say,ASSET '$(SCENE)')
+	$(call say,ASSET $(SCENE))
 	$(Q)$(B)/pinhole-asset '$(SCENE)' --out '$(@:.c=.new.c)' --board $(BOARD) --flash "$$(($(IMAGE_FLASH_BYTES) - $(SCENE_PROGRAM_BYTES)))" \
 	    --max-triangles $(SCENE_TRIANGLES) --texture-size $(SCENE_TEXTURE) $(SCENE_FLAGS)
 	@if cmp -s '$(@:.c=.new.c)' '$@'; then rm '$(@:.c=.new.c)'; else mv '$(@:.c=.new.c)' '$@'; fi

@@ -3,7 +3,7 @@
 # Builds and runs the tests, one more at a time than there are processors, those that take longest first; ends with the
 # one line `N passed, N failed, N skipped` and exits 1 when a test failed.
 #   check  for every edit: the unit tests tests/*/test_*.c, also a folder deeper, and the scripts that take seconds; installs nothing
-#   test   tests/*/test_*.c under sanitizers, plain those that are slow so; tests/*/fuzz_*.c under sanitizers, tests/*/test_*.sh
+#   test   tests/*/test_*.c under sanitizers, plain those that are slow so, but not long_units; tests/*/fuzz_*.c under sanitizers, tests/*/test_*.sh
 #   long   tests/*/exhaustive_*.c, tests/*/long_*.sh, tests/*/fuzz_*.c under sanitizers with the argument `long`, and
 #          tests/*/test_*.c in the way that `test` leaves out; SHARE=K/N in the environment (K: 1 .. N) runs a share: tests that know
 #          SHARE take every N-th of what they look at, the others run in one of the N
@@ -30,7 +30,7 @@ slow_sanitized="$slow_units test_cores test_fisheye test_wire test_depth_mpfr te
 slow_sanitized+=' test_depth test_demos test_gif_out test_ahead test_depth_mesa test_fx_math test_shadow test_panel_tiles'
 slow_sanitized+=' test_fx test_vertices test_counters test_sim_table test_dither test_texture test_demo_views test_coverage'
 slow_sanitized+=' test_model_load test_depth_separation test_sim_page test_points'
-long_units='test_depth_slopes test_depth_planes test_ahead test_wire' # those that `test` leaves out
+long_units='test_depth_slopes test_depth_planes test_ahead test_wire' # of slow_sanitized; `test` leaves them out
 unit_tests='tests/*/test_*.c tests/*/*/test_*.c'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.

@@ -1,5 +1,6 @@
 /* See sim_fraction.h. */
 #include "sim_fraction.h"
+#include "lab_num.h"
 
 #include <math.h>
 
@@ -33,9 +34,7 @@ static struct sim_wide minus(struct sim_wide a, struct sim_wide b)
 
 static struct sim_wide times(struct sim_wide a, struct sim_wide b)
 {
-    const uint64_t half = UINT32_MAX, a0 = a.low & half, a1 = a.low >> 32, b0 = b.low & half, b1 = b.low >> 32;
-    const uint64_t middle = a1 * b0 + (a0 * b0 >> 32), other = a0 * b1 + (middle & half);
-    return (struct sim_wide){a1 * b1 + (middle >> 32) + (other >> 32) + a.high * b.low + a.low * b.high, a.low * b.low};
+    return (struct sim_wide){lab_mulhi_u64(a.low, b.low) + a.high * b.low + a.low * b.high, a.low * b.low};
 }
 
 /* Shifts to the left, or, below 0, to the right. n: -127 .. 127. */

@@ -16,12 +16,12 @@ trap 'rm -rf "$dir"' EXIT
 said_with() { # the port's source
     rm -f "$dir/said"
     # shellcheck disable=SC2046 # flags are words
-    "${CC:-cc}" -std=c11 -Ihal -Iboards -I"$B/boards_all" -Ihost-sim/emulate -DPORT_C="\"$1\"" -o "$dir/test" tests/hal/test_stm32f4_dma.c "$B/libpinhole-host.a" "$B/libpinhole-hal.a" \
+    "${CC:-cc}" -std=c11 -Ihal -Iboards -I"$B/boards_all" -Ihost-sim/emulate -DPORT_C="\"$1\"" -o "$dir/test" tests/hal/test_stm32f4_dma.c "$B/libpinhole-tools.a" "$B/libpinhole-hal.a" \
         $(pkg-config --cflags --libs cmocka) >"$dir/built" 2>&1 || { cat "$dir/built" && return 1; }
     "$dir/test" >"$dir/said" 2>&1
 }
 
-the_port_itself_passes() { make -s -j2 B="$B" "$B/libpinhole-host.a" "$B/libpinhole-hal.a" && said_with "$PWD/$port"; }
+the_port_itself_passes() { make -s -j2 B="$B" "$B/libpinhole-tools.a" "$B/libpinhole-hal.a" && said_with "$PWD/$port"; }
 
 is_refused() { # sed expression
     sed "$1" "$port" >"$dir/wrong.c" || return 1

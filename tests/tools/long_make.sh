@@ -37,7 +37,7 @@ other_flags_build_again() { # a variable
 a_new_file_compiles_alone() {
     local lib=build/libpinhole-host.a
     mkdir "$dir/tree" && cp -rs "$PWD"/{Makefile,firmware,hal,boards,host-sim} "$dir/tree" && cd "$dir/tree" || return 1
-    again() { BUILT='' make -j2 CFLAGS=-O0 ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl USB=nousb "$lib" | grep -c '^  CC'; }
+    again() { BUILT='' make -j2 CFLAGS=-O0 ASSIMP=noassimp MESHOPT=nomeshopt PNG=nopng GIF=nogif SDL=nosdl USB=nousb "$lib" build/libpinhole-tools.a | grep -c '^  CC'; }
     [ "$(again)" -gt 100 ] && [ "$(again)" = 0 ] && echo 'int common_new_file; int common_new_file = 1;' >host-sim/common/new_file.c && [ "$(again)" = 1 ] &&
         nm "$lib" | grep -q common_new_file && rm host-sim/common/new_file.c && [ "$(again)" = 0 ] && ! nm "$lib" | grep -q common_new_file
 }

@@ -267,6 +267,7 @@ check "... a room's singular is allowed" none a_foreign_symbol 'int model_a, mod
 check "... and no other part of its name" sees '^mode_a$' a_foreign_symbol 'int mode_a, model_b;' firmware/app
 check "libpinhole-hal.a exports names of its rooms and modules only" none foreign_symbols "$B/libpinhole-hal.a" hal boards
 check "libpinhole-host.a exports names of its rooms and modules only" none foreign_symbols "$B/libpinhole-host.a" host-sim
+check "libpinhole-tools.a exports names of its rooms and modules only" none foreign_symbols "$B/libpinhole-tools.a" host-sim
 check "... another library's are seen" sees . foreign_symbols "$B/libpinhole-host.a" boards
 check "no two modules include each other, however many lie between" none circles "${product[@]}"
 check "... two that do are seen" sees 'circle/a$' a_circle
