@@ -19,5 +19,6 @@ table_is_in_the_readme() {
 }
 
 check "every function of fx.h has a proof" every_function_has_a_proof
+check "each line that Gappa's proofs are of stands in the core" tests/proof/gappa.sh lines
 check "the README's table is that of the proofs" table_is_in_the_readme
 tap_end
