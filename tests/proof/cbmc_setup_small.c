@@ -39,9 +39,11 @@ void proof_depth_gradient(void)
 {
     struct ph_subpixel_gradient g;
     const struct ph_slopes s = any_slopes();
+    struct triangle t;
     uint32_t d[3];
+    any_small(&t);
     ASSUME(((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0);
-    set_depth_gradient(&g, &s, d);
+    set_depth_gradient(&g, &s, &t.sides, d);
 }
 
 /* Light as in set_light; the limit of textures is lower. */

@@ -44,7 +44,7 @@ void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, 
     }
 }
 
-PH_TIER(few)
+PH_TIER(scenery)
 void ph_draw_clipped_line(struct ph_renderer *r, const struct ph_material *material,
                           const struct ph_clip_vertex ends[2])
 {
@@ -59,7 +59,7 @@ void ph_draw_clipped_line(struct ph_renderer *r, const struct ph_material *mater
     }
 }
 
-PH_TIER(few)
+PH_TIER(scenery)
 int ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material)
 {
     if (material == NULL) {

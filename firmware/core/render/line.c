@@ -47,7 +47,7 @@ static inline void list_line(struct ph_renderer *r, const uint16_t ends[2], cons
     }
 }
 
-PH_TIER(few)
+PH_TIER(scenery)
 PH_NOINLINE void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a,
                               const struct ph_vertex *b)
 {

@@ -2,7 +2,7 @@
 @ high or more), one that may have codes 36; to list one takes some 73 more.
 @
 @ Registers: r0 vertices, r1 index; r3 r4 r5 the corners a, b, c; then their x, y: a in r3 r6, b in r4 r7, c in r2 r5;
-@ r8 end, r9 2^12, r10 the struct ph_cull_run, r11 a row.
+@ r8 end, r9 2^12, r10 the struct ph_cull_run, r11 a row, lr where the loop begins.
 #include "../thumb.inc"
 #include "../offsets.inc"
 
@@ -89,7 +89,9 @@
     cmp r1, r2
     bhs none
     cmp r3, #0
-    bne coded
+    bne with_codes
+    ldr r4, =no_codes + 1
+    mov lr, r4
 no_codes:
     corners 6
     turn
@@ -98,6 +100,9 @@ no_codes:
 1:  turn_high
     bne no_codes
     b none
+with_codes:
+    ldr r4, =coded + 1
+    mov lr, r4
 coded:
     corners 6
     ldrb r2, [r3, #vertex_code]
@@ -165,12 +170,10 @@ found:
     ldr r6, [r3] @ is it less than 2 px wide?
     ldr r7, [r4]
     ldr r2, [r5]
+    subs r6, #255
+    subs r6, #1
     subs r7, r6
     subs r2, r6
-    movs r6, #1
-    lsls r6, #8
-    adds r7, r6
-    adds r2, r6
     orrs r2, r7
     lsrs r2, #9
     beq look_here
@@ -202,14 +205,9 @@ found:
     mark r5
 next:
     adds r1, #6
-    mov r2, r10
-    ldr r2, [r2, #cull_codes]
-    cmp r2, #0
-    bne 4f
     cmp r1, r8
     beq none
-    b no_codes
-4:  cmp r1, r8
-    beq none
-    b coded
+    bx lr
     .size ph_cull, . - ph_cull
+    .p2align 2
+    .ltorg

@@ -23,8 +23,8 @@ struct ph_short_row {
 struct ph_matvec {
     uint32_t range;       /* three digits serve -range .. range: 2^20, or 0 if the translation is near its range */
     uint32_t short_range; /* two digits serve so far: 2^16, or 0 if the elements of a row are too large */
-    struct ph_short_row short_row[3];
     struct ph_row row[3];
+    struct ph_short_row short_row[3];
 };
 
 /* Splits a row into two digits: sums below 3 2^29 + 2^28, then below 2^31. Returns the sum of its magnitudes. */

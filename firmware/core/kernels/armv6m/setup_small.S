@@ -4,12 +4,13 @@
 #include "../offsets.inc"
 #include "registers.inc"
 
-    .equ corners, 4 @ on the stack
+    .equ side_bits, 0 @ on the stack; plus 1; it takes the place of the triangle
+    .equ corners, 4
     .equ sides, 8
     .equ depths, 12
-    .equ own_corners, triangle_slopes @ in the triangle: ph_setup_fast keeps what ph_setup_small takes
-    .equ own_sides, triangle_slopes + 12
-    .equ own_depths, triangle_slopes + 32
+    .equ own_corners, triangle_slopes + 8 @ in the triangle: ph_setup_fast keeps what ph_setup_small takes
+    .equ own_sides, triangle_slopes + 20 @ behind the slopes
+    .equ own_depths, triangle_slopes + 40
 
     @ Puts fx_rcp16(d) into \to; changes r7.
     .macro rcp16 to, d
@@ -527,6 +528,7 @@ known_sides:
     subs r6, r6, r7
     mov r12, r6
     ldr r0, [sp]
+    str r7, [sp, #side_bits]
     ldr r1, [sp, #corners]
     ldmia r1, {r1-r3}
     ldr r4, [r0, #triangle_ramp]
@@ -600,8 +602,9 @@ depth: @ the plane of depth
     mov r1, r8
     muls r1, r4
     subs r6, r6, r1
-    cmp r7, #31 - 17
+    cmp r7, #15 @ FINE_DEPTH
     blt steep_depth
+fine_depth:
     asrs r5, r7
     asrs r6, r7
 10: muls r2, r5
@@ -639,7 +642,10 @@ steep_light:
     pop {r4}
     b 5b
 steep_depth:
-    cmp r7, #11 @ ROUGH_DEPTH
+    ldr r4, [sp, #side_bits]
+    cmp r7, #31 - 17
+    beq 2f
+    cmp r7, #0
     blt 1f
     movs r4, #17 @ whether the gradient fits r7 + 17 bits
     adds r4, r4, r7
@@ -654,9 +660,42 @@ steep_depth:
     orrs r1, r4
     cmp r1, #1
     bhi 1f
+    ldr r4, [sp, #side_bits]
+2:  cmp r7, r4
+    bgt 3f @ it is as fine as FINE_DEPTH for such sides
     asrs r5, r7
     asrs r6, r7
+    ldr r4, [sp, #sides] @ whether it is right to a code at the other two corners
+    movs r1, r5
+    movs r7, r6
+    push {r2}
+    ldmia r4!, {r2}
+    muls r1, r2
+    ldmia r4!, {r2}
+    muls r7, r2
+    adds r7, r7, r1
+    adds r7, r7, r3
+    ldmia r4!, {r1, r2}
+    muls r1, r5
+    muls r2, r6
+    adds r1, r1, r2
+    adds r1, r1, r3
+    pop {r2}
+    ldr r4, [sp, #depths]
+    mov r8, r5
+    ldmia r4, {r3-r5}
+    subs r7, r7, r4
+    subs r1, r1, r5
+    mov r5, r8
+    movs r4, #1
+    lsls r4, #16
+    adds r7, r7, r4
+    adds r1, r1, r4
+    orrs r1, r7
+    lsrs r1, r1, #17
+    bne 1f
     b 10b
+3:  b fine_depth
 1:  movs r0, #2 @ PH_SMALL_STEEP
     b leave
     .size ph_setup_small, . - ph_setup_small

@@ -1,7 +1,7 @@
 @ ph_vertices (see vertices.h) for ARMv6-M. A vertex takes some 243 instructions, 219 within a cube of 1.0 each way.
 @
-@ Registers: r7 and r10 the struct ph_vertex_run, r8 from, r9 to, r11 r12 x, y before the divide, lr full light at its
-@ place in the word.
+@ Registers: r10 the struct ph_vertex_run, r8 from, r9 to, r11 r12 x, y before the divide, lr full light at its place in
+@ the word; r7 the struct from `near` to `round_x`, then its member `bottom`.
 #include "../thumb.inc"
 #include "../offsets.inc"
 #include "matvec_offsets.inc"
@@ -90,15 +90,13 @@
     movs r2, #0xf7
     lsls r2, #24
     mov lr, r2
+    adds r7, #run_bottom
     b until
 hand_back:
     movs r2, r3
     mov r0, r11
     mov r1, r12
-    movs r4, r7
-    adds r4, #run_at / 2
-    adds r4, #run_at / 2
-    stmia r4!, {r0-r2}
+    stmia r7!, {r0-r2} @ `at`, which is the first member
 stop:
     mov r3, r8
     subs r3, #12
@@ -108,7 +106,7 @@ next:
     mov r3, r8
     ldmia r3!, {r0-r2} @ x y z
     mov r8, r3
-    ldr r4, [r7, #run_short_range]
+    ldr r4, [r7, #run_short_range - run_bottom]
     adds r5, r0, r4
     adds r6, r1, r4
     orrs r5, r6
@@ -118,7 +116,7 @@ next:
     cmp r5, r4
     blo 1f
     b large
-1:  adds r7, #run_short_row
+1:  adds r7, #run_short_row - run_bottom
     short_row_times
     mov r11, r3
     short_row_times
@@ -126,9 +124,8 @@ next:
     short_row_times
 placed:
     @ Leave if the vertex is outside the near plane, the far plane or the guard band.
+    ldmia r7!, {r4-r6} @ near, range, guard_up
     mov r7, r10
-    ldr r4, [r7, #run_near]
-    ldr r5, [r7, #run_range]
     subs r4, r3, r4
     cmp r4, r5
     bhi hand_back
@@ -139,11 +136,10 @@ placed:
     asrs r5, r1, #31
     eors r5, r1
     orrs r4, r5
-    ldr r5, [r7, #run_guard_up]
-    movs r6, r3
-    lsrs r6, r5
-    lsls r6, #3
-    cmp r4, r6
+    movs r5, r3
+    lsrs r5, r6
+    lsls r5, #3
+    cmp r4, r5
     bhs hand_back
     @ fx_rcp_norm(r3): r5 becomes the result, r4 the leading zeros.
     ldr r6, =fx_clz_table
@@ -241,17 +237,15 @@ placed:
     lsls r1, r4
     times_high r0, r4
     times_high r1, r4
-    ldr r4, [r7, #run_round_x + 4]
-    adds r0, r4
-    ldr r4, [r7, #run_round_y + 4]
+    adds r7, #run_round_x + 4
+    ldmia r7!, {r2-r6} @ the high words of round_x and, in r4, round_y; down, right
+    adds r0, r2
     adds r1, r4
-    ldr r4, [r7, #run_down]
-    asrs r0, r4
-    asrs r1, r4
-    ldr r4, [r7, #run_right]
-    cmp r0, r4
+    asrs r0, r5
+    asrs r1, r5
+    cmp r0, r6
     bhi outside
-    ldr r5, [r7, #run_bottom]
+    ldr r5, [r7]
     cmp r1, r5
     bhi outside
     mov r3, r9
@@ -260,7 +254,7 @@ put:
     adds r3, #8
     mov r9, r3
 until:
-    ldr r4, [r7, #run_end]
+    ldr r4, [r7, #run_end - run_bottom]
     cmp r8, r4
     beq done
     b next
@@ -275,20 +269,21 @@ large: @ beyond the cube of 1.0: are all coordinates within -2^20 .. 2^20?
     lsrs r5, #21
     beq 1f
     b stop
-1:  adds r7, #run_row
+1:  adds r7, #run_row - run_bottom
     row_times
     mov r11, r3
     row_times
     mov r12, r3
     row_times
+    adds r7, #run_near - run_short_row
     b placed
 outside: @ clip codes: left, right, top, bottom = 1, 2, 4, 8
-    ldr r5, [r7, #run_bottom]
+    ldr r5, [r7]
     movs r2, #1
     cmp r0, #0
     blt 1f
     movs r2, #2
-    cmp r0, r4
+    cmp r0, r6
     bgt 1f
     movs r2, #0
 1:  movs r3, #4
@@ -301,9 +296,10 @@ outside: @ clip codes: left, right, top, bottom = 1, 2, 4, 8
 2:  orrs r2, r3
     mov r3, r9
     strb r2, [r3, #vertex_code]
-    ldr r4, [r7, #run_codes]
+    mov r5, r10
+    ldr r4, [r5, #run_codes]
     orrs r4, r2
-    str r4, [r7, #run_codes]
+    str r4, [r5, #run_codes]
     b put
 done:
     mov r7, r10

@@ -3,11 +3,13 @@
 #include "../thumb.inc"
 #include "../offsets.inc"
 
-    .equ corners, 4 @ on the stack
+    .equ side_bits, 0 @ on the stack; plus 1; it takes the place of the triangle
+    .equ corners, 4
+    .equ sides, 8
     .equ depths, 12
-    .equ own_corners, triangle_slopes @ in the triangle: ph_setup_fast keeps what ph_setup_small takes
-    .equ own_sides, triangle_slopes + 12
-    .equ own_depths, triangle_slopes + 32
+    .equ own_corners, triangle_slopes + 8 @ in the triangle: ph_setup_fast keeps what ph_setup_small takes
+    .equ own_sides, triangle_slopes + 20 @ behind the slopes
+    .equ own_depths, triangle_slopes + 40
 
     @ The edge from a down to b, whose first row is given: r1 becomes x at that row, r10 the slope, and r2 how far
     @ it is down from a to that row. r12 is 2^31 - 1. Changes r3, lr.
@@ -308,6 +310,7 @@ planes:
     lsr r9, r9, #16
     udiv r9, r12, r9
     rsb lr, r10, #33
+    str lr, [sp, #side_bits]
     mul r4, r4, r9
     mul r5, r5, r9
     mul r6, r6, r9
@@ -378,11 +381,12 @@ depth: @ the plane of depth
     mul lr, r7, r6
     mls lr, r12, r4, lr
     sub r9, r10, r9
-    cmp r9, #31 - 17
+    cmp r9, #15 @ FINE_DEPTH
     blt steep_depth
-6:  asr r11, r11, r9
+fine_depth:
+    asr r11, r11, r9
     asr lr, lr, r9
-    mla r1, r11, r2, r1
+7:  mla r1, r11, r2, r1
     mla r1, lr, r3, r1
     lsl r11, r11, #8
     lsl lr, lr, #8
@@ -412,12 +416,34 @@ steep_light:
     lsl lr, lr, r12
     b 5b
 steep_depth:
-    cmp r9, #11 @ ROUGH_DEPTH
+    ldr r4, [sp, #side_bits]
+    cmp r9, #31 - 17
+    beq 1f @ such a gradient fits
+    cmp r9, #0
     blt 9f
-    mov r4, r9
+    mov r5, r9
     flatten r9, 17, r7, r12
-    cmp r9, r4
-    beq 6b
+    cmp r9, r5
+    bne 9f
+1:  cmp r9, r4
+    bgt fine_depth @ it is as fine as FINE_DEPTH for such sides
+    asr r11, r11, r9
+    asr lr, lr, r9
+    ldr r7, [sp, #sides] @ is it right to a code at the other two corners?
+    ldmia r7, {r4-r7}
+    ldr r8, [sp, #depths]
+    ldrd r8, r9, [r8, #4]
+    sub r8, r1, r8
+    sub r9, r1, r9
+    mla r8, r11, r4, r8
+    mla r8, lr, r5, r8
+    mla r9, r11, r6, r9
+    mla r9, lr, r7, r9
+    add r8, r8, #1 << 16
+    add r9, r9, #1 << 16
+    orr r8, r8, r9
+    lsrs r8, r8, #17
+    beq 7b
 9:  movs r0, #2 @ PH_SMALL_STEEP
     b 8b
     .size ph_setup_small, . - ph_setup_small

@@ -6,16 +6,29 @@
 
 enum {
     STEEP_DEPTH = 17, /* bits that a gradient per 1/256 px may have: at 2^25 per pixel it is right to a code or two */
-    ROUGH_DEPTH = 11, /* bits dropped of a gradient; with fewer, PH_SLOPE_BITS is codes off on thin triangles */
+    FINE_DEPTH = 15,  /* with so many bits dropped of a gradient, all corners are right to a code:
+                         host-sim/depth/depth_separation.c */
     STEEP_LIGHT = 28, /* the head room of light allows that at 2^-9 px beside the triangle */
 };
 
-static inline bool set_depth_gradient(struct ph_subpixel_gradient *g, const struct ph_slopes *s, const uint32_t d[3])
+/* Whether a plane of depth through the first corner is right to a code at the others, and so everywhere between them.
+ */
+static inline bool is_right(const struct ph_subpixel_gradient *g, const struct ph_sides *s, uint32_t d1, uint32_t d2)
+{
+    const uint32_t x = (uint32_t)g->x, y = (uint32_t)g->y, code = 1 << 16;
+    const uint32_t off1 = x * (uint32_t)s->dx1 + y * (uint32_t)s->dy1 - d1;
+    const uint32_t off2 = x * (uint32_t)s->dx2 + y * (uint32_t)s->dy2 - d2;
+    return ((off1 + code) | (off2 + code)) < 2 * code;
+}
+
+static inline bool set_depth_gradient(struct ph_subpixel_gradient *g, const struct ph_slopes *slopes,
+                                      const struct ph_sides *sides, const uint32_t d[3])
 {
     const int32_t d1 = (int32_t)(d[1] - d[0]), d2 = (int32_t)(d[2] - d[0]);
     const int excess = 32 - PH_SLOPE_BITS - fx_clz32(ph_without_sign(d1) | ph_without_sign(d2)),
-              drop = excess > 0 ? excess : 0;
-    return s->shift - drop >= ROUGH_DEPTH && ph_set_gradient(g, s, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH);
+              drop = excess > 0 ? excess : 0, down = slopes->shift - drop;
+    return down >= 0 && ph_set_gradient(g, slopes, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH) &&
+           (down >= FINE_DEPTH || is_right(g, sides, (uint32_t)d1, (uint32_t)d2));
 }
 
 static inline void set_light(struct ph_triangle *t, const struct ph_slopes *slopes, const struct ph_vertex *const v[3],
@@ -32,7 +45,8 @@ static inline void set_light(struct ph_triangle *t, const struct ph_slopes *slop
     t->as.small.rows.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
 }
 
-/* Sets the planes of depth and light. False if depth is too steep or the triangle too thin: then depth is not set. */
+/* Sets the planes of depth and light. False if depth is too steep, or the triangle so thin that depth would be off by a
+ * code: then it is not set. */
 static inline bool set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                               const uint32_t d[3])
 {
@@ -44,7 +58,7 @@ static inline bool set_planes(struct ph_triangle *t, const struct ph_vertex *con
     } else {
         set_light(t, &slopes, v, x, y);
     }
-    if (!set_depth_gradient(&depth, &slopes, d)) {
+    if (!set_depth_gradient(&depth, &slopes, sides, d)) {
         return false;
     }
     t->as.small.rows.gd = (uint32_t)depth.x * 256;

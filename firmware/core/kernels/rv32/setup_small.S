@@ -371,15 +371,15 @@ depth: // the plane of depth
     leading_zeros t1, t0, t0, t2
     li t2, 32 - 15
     sub t1, t2, t1
-    sra s8, s8, t1
-    sra s9, s9, t1
-7:  gradient s8, s9
+7:  sra t0, s8, t1
+    sra t2, s9, t1
+    gradient t0, t2
     sub a1, t6, t1
-    li a2, 31 - 17
+    li a2, 15 // FINE_DEPTH
     blt a1, a2, steep_depth
-8:  sra t4, t4, a1
+    sra t4, t4, a1
     sra t5, t5, a1
-    mul t1, t4, s0
+8:  mul t1, t4, s0
     mul t2, t5, s1
     slli t4, t4, 8
     slli t5, t5, 8
@@ -410,11 +410,33 @@ steep_light:
     sll t5, t5, a1
     j 6b
 steep_depth:
-    li a2, 11 // ROUGH_DEPTH
-    blt a1, a2, 9f
+    bltz a1, 9f
     mv t0, a1
     flatten 17
-    beq a1, t0, 8b
+    bne a1, t0, 9f
+    sra t4, t4, a1
+    sra t5, t5, a1
+    words lw, a3, 0, t0, t1 // is it right to a code at the other two corners?
+    words lw, a4, 0, t2, a1
+    words lw, a5, 0, a2, a6
+    sub t2, t2, t0
+    sub a1, a1, t1
+    sub a2, a2, t0
+    sub a6, a6, t1
+    mul t2, t2, t4
+    mul a1, a1, t5
+    mul a2, a2, t4
+    mul a6, a6, t5
+    add t2, t2, a1
+    add a2, a2, a6
+    sub t2, t2, s8
+    sub a2, a2, s9
+    lui a1, 1 << 16 >> 12
+    add t2, t2, a1
+    add a2, a2, a1
+    or t2, t2, a2
+    srli t2, t2, 17
+    beqz t2, 8b
 9:  li a0, 2 // PH_SMALL_STEEP
     j done
     .size ph_setup_small, . - ph_setup_small

@@ -44,7 +44,8 @@
 
     function ph_vertices, loop // a0: struct ph_vertex_run
     save 64, SAVED
-    words lw, a0, run_from, a1, a3, a2
+    words lw, a0, run_from, a1, a2
+    lw a3, run_end(a0)
     load_row 0, s0, s1, s2, s9, a4
     load_row 1, s3, s4, s5, s10, a5
     load_row 2, s6, s7, s8, s11, a6
