@@ -7,14 +7,13 @@
 #define GUARD_PX 2048 /* from the centre of the picture: vertex.h */
 /* Codes of 16 bits by which planes of 32 bits are off at a corner, and so at most anywhere between the corners, in
  * triangles with sides up to 64 px. What is cut off there, in codes, at most:
- *   setup_small.c, sides up to 32 px, FINE_DEPTH: 1/2 by slopes of 15 bits, each off by one and all for the worse; 1/16
- *     by differences of 15 bits and 1/16 by a reciprocal of 16, for so many bits are dropped only if depth rises by
- *     less than 2^27; 1/4 by the gradients' last bits in 2 2^13 steps of 1/256 px: 7/8. With fewer bits the corners
- *     themselves are looked at (is_right): 1.
- *   planes.c, sides up to 64 px, FINE_STEP: 1/4 by differences of 15 bits, rounded; 1/2 by the reciprocal; 1/8 by the
- *     gradients in 2 64 px: 7/8.
- * Samples of antialiasing, with sides up to 64 of them: 1.7. tests/core/test_depth_slivers.c */
-#define SMALL_CODES 1.0
+ *   setup_small.c, sides up to 32 px, FINE_DEPTH: 1/4 by slopes of 15 bits, each off by one and all for the worse; 1/32
+ *     by differences of 15 bits and 1/32 by a reciprocal of 16, for so many bits are dropped only if depth rises by
+ *     less than 2^26; 1/4 by the gradients' last bits in 2 2^13 steps of 1/256 px. With fewer bits dropped the corners
+ *     themselves are looked at: RIGHT_DEPTH.
+ *   planes.c, sides up to 64 px: what stands beside FINE_STEP and FINE_DROP, 5/16.
+ * With antialiasing, whose sides have up to 64 samples: 1 1/16. tests/core/test_depth_slivers.c holds it. */
+#define SMALL_CODES (9.0 / 16)
 #define HANG        508 /* units of 2^-32 that hang_plane of planes.c leaves out */
 
 double depth_way_px(const struct depth_lab *lab)

@@ -13,8 +13,8 @@
 
 enum {
     STEEP = 42,       /* for 16.16 codes: 4 codes; see is_steep */
-    FINE_STEP = 29,   /* short_plane gives gradients in 2^6 units of 2^-32 a pixel, or finer: .125 codes in 128 px */
-    ANY_STEP = 64,    /* no plane of texels or colours needs more than it has */
+    FINE_STEP = 29,   /* short_plane gives gradients in 2^6 units of 2^-32 a pixel, or finer: 1/8 code in 128 px */
+    FINE_DROP = 13,   /* of differences below 2^28: 1/16 code by them, and 1/8 by a reciprocal of 16 bits */
     LINEAR_ZEROS = 7, /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
 };
 
@@ -144,10 +144,11 @@ static FX_APART int short_plane(struct ph_plane *out, const struct ph_plane_base
 
 /*
  * The plane through three unsigned values. A gradient of 2^31 per pixel or more is halved until it fits, so that it
- * does not wrap: the triangle becomes flatter. Returns how often. step: FINE_STEP, ANY_STEP.
+ * does not wrap: the triangle becomes flatter. Returns how often. fine: as right as depth must be.
  */
 PH_TIER(scenery)
-static PH_NOINLINE int plane_through(struct ph_plane *out, const struct ph_plane_base *s, const uint32_t v[3], int step)
+static PH_NOINLINE int plane_through(struct ph_plane *out, const struct ph_plane_base *s, const uint32_t v[3],
+                                     bool fine)
 {
     /* If the halves differ by less than 2^29, the differences are below 2^30. */
     const int32_t half1 = (int32_t)((v[1] >> 1) - (v[0] >> 1)), half2 = (int32_t)((v[2] >> 1) - (v[0] >> 1));
@@ -156,7 +157,7 @@ static PH_NOINLINE int plane_through(struct ph_plane *out, const struct ph_plane
         const int spare = fx_clz32(ph_without_sign(d1) | ph_without_sign(d2));
         const int drop = spare < 17 ? 17 - spare : 0; /* the upper 16 bits are taken */
         const int32_t half = (1 << drop) >> 1;
-        if (s->shift + drop <= step) {
+        if (!fine || (drop <= FINE_DROP && s->shift + drop <= FINE_STEP)) {
             out->base = v[0];
             return short_plane(out, s, (d1 + half) >> drop, (d2 + half) >> drop, drop);
         }
@@ -231,7 +232,7 @@ PH_TIER(scenery) static bool is_steep(const struct ph_sides *s, const struct ph_
  */
 static inline int depth_plane(const struct ph_plane_base *s, bool exact, const uint32_t d[3], struct ph_plane *out)
 {
-    return exact ? plane_exact(out, s, d) : plane_through(out, s, d, FINE_STEP);
+    return exact ? plane_exact(out, s, d) : plane_through(out, s, d, true);
 }
 
 /* Depth of the corners in the fixed formats. */
@@ -428,11 +429,11 @@ static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct 
             const int32_t share = range <= 14 ? (int32_t)(u << (14 - range)) : (int32_t)u >> (range - 14); /* Q2.30 */
             over_w[i] = (uint32_t)(fx_mul_wide(share, (int32_t)w[i]) >> 32) + positive;
         }
-        plane_through(planes[axis], s, over_w, ANY_STEP);
+        plane_through(planes[axis], s, over_w, false);
         planes[axis]->base -= positive;
     }
     if (t->block != PH_BLOCK_LINEAR) { /* linear-w has it as its depth */
-        plane_through(&t->as.large.depth.over_w.plane, s, w, ANY_STEP);
+        plane_through(&t->as.large.depth.over_w.plane, s, w, false);
     }
     map->range_log2 = (uint8_t)range;
 }
@@ -494,7 +495,7 @@ void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], c
         for (int i = 0; i < 3; i++) {
             at[i] = ((uint32_t)v[i]->light >> from[k]) << (32 - bits[k]) | (uint32_t)1 << (31 - bits[k]);
         }
-        plane_through(&t->as.large.of.colours[k], &base, at, ANY_STEP);
+        plane_through(&t->as.large.of.colours[k], &base, at, false);
     }
 }
 

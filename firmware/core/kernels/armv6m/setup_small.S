@@ -602,7 +602,7 @@ depth: @ the plane of depth
     mov r1, r8
     muls r1, r4
     subs r6, r6, r1
-    cmp r7, #15 @ FINE_DEPTH
+    cmp r7, #16 @ FINE_DEPTH
     blt steep_depth
 fine_depth:
     asrs r5, r7
@@ -644,7 +644,7 @@ steep_light:
 steep_depth:
     ldr r4, [sp, #side_bits]
     cmp r7, #31 - 17
-    beq 2f
+    bge 2f
     cmp r7, #0
     blt 1f
     movs r4, #17 @ whether the gradient fits r7 + 17 bits
@@ -661,11 +661,12 @@ steep_depth:
     cmp r1, #1
     bhi 1f
     ldr r4, [sp, #side_bits]
-2:  cmp r7, r4
+2:  adds r4, #1
+    cmp r7, r4
     bgt 3f @ it is as fine as FINE_DEPTH for such sides
     asrs r5, r7
     asrs r6, r7
-    ldr r4, [sp, #sides] @ whether it is right to a code at the other two corners
+    ldr r4, [sp, #sides] @ whether it is right at the other two corners
     movs r1, r5
     movs r7, r6
     push {r2}
@@ -687,13 +688,15 @@ steep_depth:
     subs r7, r7, r4
     subs r1, r1, r5
     mov r5, r8
-    movs r4, #1
-    lsls r4, #16
+    movs r4, #9 @ RIGHT_DEPTH
+    lsls r4, #12
     adds r7, r7, r4
     adds r1, r1, r4
-    orrs r1, r7
-    lsrs r1, r1, #17
-    bne 1f
+    lsls r4, #1
+    cmp r7, r4
+    bhs 1f
+    cmp r1, r4
+    bhs 1f
     b 10b
 3:  b fine_depth
 1:  movs r0, #2 @ PH_SMALL_STEEP

@@ -381,7 +381,7 @@ depth: @ the plane of depth
     mul lr, r7, r6
     mls lr, r12, r4, lr
     sub r9, r10, r9
-    cmp r9, #15 @ FINE_DEPTH
+    cmp r9, #16 @ FINE_DEPTH
     blt steep_depth
 fine_depth:
     asr r11, r11, r9
@@ -418,18 +418,19 @@ steep_light:
 steep_depth:
     ldr r4, [sp, #side_bits]
     cmp r9, #31 - 17
-    beq 1f @ such a gradient fits
+    bge 1f @ such a gradient fits
     cmp r9, #0
     blt 9f
     mov r5, r9
     flatten r9, 17, r7, r12
     cmp r9, r5
     bne 9f
-1:  cmp r9, r4
+1:  adds r4, #1
+    cmp r9, r4
     bgt fine_depth @ it is as fine as FINE_DEPTH for such sides
     asr r11, r11, r9
     asr lr, lr, r9
-    ldr r7, [sp, #sides] @ is it right to a code at the other two corners?
+    ldr r7, [sp, #sides] @ is it right at the other two corners?
     ldmia r7, {r4-r7}
     ldr r8, [sp, #depths]
     ldrd r8, r9, [r8, #4]
@@ -439,11 +440,12 @@ steep_depth:
     mla r8, lr, r5, r8
     mla r9, r11, r6, r9
     mla r9, lr, r7, r9
-    add r8, r8, #1 << 16
-    add r9, r9, #1 << 16
-    orr r8, r8, r9
-    lsrs r8, r8, #17
-    beq 7b
+    add r8, r8, #9 << 12 @ RIGHT_DEPTH
+    add r9, r9, #9 << 12
+    cmp r8, #9 << 13
+    it lo
+    cmplo r9, #9 << 13
+    blo 7b
 9:  movs r0, #2 @ PH_SMALL_STEEP
     b 8b
     .size ph_setup_small, . - ph_setup_small

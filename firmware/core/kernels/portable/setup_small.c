@@ -6,19 +6,18 @@
 
 enum {
     STEEP_DEPTH = 17, /* bits that a gradient per 1/256 px may have: at 2^25 per pixel it is right to a code or two */
-    FINE_DEPTH = 15,  /* with so many bits dropped of a gradient, all corners are right to a code:
-                         host-sim/depth/depth_separation.c */
-    STEEP_LIGHT = 28, /* the head room of light allows that at 2^-9 px beside the triangle */
+    FINE_DEPTH = 16,  /* with so many bits dropped of a gradient, no corner is off by more: */
+    RIGHT_DEPTH = 9 << 12, /* 9/16 of a 16.16 code; why: host-sim/depth/depth_separation.c */
+    STEEP_LIGHT = 28,      /* the head room of light allows that at 2^-9 px beside the triangle */
 };
 
-/* Whether a plane of depth through the first corner is right to a code at the others, and so everywhere between them.
- */
+/* Whether a plane of depth through the first corner is right at the others, and so everywhere between them. */
 static inline bool is_right(const struct ph_subpixel_gradient *g, const struct ph_sides *s, uint32_t d1, uint32_t d2)
 {
-    const uint32_t x = (uint32_t)g->x, y = (uint32_t)g->y, code = 1 << 16;
+    const uint32_t x = (uint32_t)g->x, y = (uint32_t)g->y;
     const uint32_t off1 = x * (uint32_t)s->dx1 + y * (uint32_t)s->dy1 - d1;
     const uint32_t off2 = x * (uint32_t)s->dx2 + y * (uint32_t)s->dy2 - d2;
-    return ((off1 + code) | (off2 + code)) < 2 * code;
+    return off1 + RIGHT_DEPTH < 2 * RIGHT_DEPTH && off2 + RIGHT_DEPTH < 2 * RIGHT_DEPTH;
 }
 
 static inline bool set_depth_gradient(struct ph_subpixel_gradient *g, const struct ph_slopes *slopes,
@@ -45,8 +44,8 @@ static inline void set_light(struct ph_triangle *t, const struct ph_slopes *slop
     t->as.small.rows.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
 }
 
-/* Sets the planes of depth and light. False if depth is too steep, or the triangle so thin that depth would be off by a
- * code: then it is not set. */
+/* Sets the planes of depth and light. False if depth is too steep, or the triangle so thin that depth would be off by
+ * more than RIGHT_DEPTH: then it is not set. */
 static inline bool set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                               const uint32_t d[3])
 {

@@ -317,18 +317,18 @@ planes:
     normalise s6, t4, t0
     srli s6, s6, 16
     divu s6, s11, s6
-    li t5, 33
-    sub t5, t5, t1
+    li s10, 33
+    sub s10, s10, t1 // bits + 1
     sub t6, t1, t4
     addi t6, t6, 14
     mul s2, s2, s6
     mul s3, s3, s6
     mul s4, s4, s6
     mul s5, s5, s6
-    sra s2, s2, t5
-    sra s3, s3, t5
-    sra s4, s4, t5
-    sra s5, s5, t5
+    sra s2, s2, s10
+    sra s3, s3, s10
+    sra s4, s4, s10
+    sra s5, s5, s10
     slli t0, t3, 8
     sub s1, t0, s1
     lw t1, triangle_ramp(a0)
@@ -375,8 +375,9 @@ depth: // the plane of depth
     sra t2, s9, t1
     gradient t0, t2
     sub a1, t6, t1
-    li a2, 15 // FINE_DEPTH
+    li a2, 16 // FINE_DEPTH
     blt a1, a2, steep_depth
+fine_depth:
     sra t4, t4, a1
     sra t5, t5, a1
 8:  mul t1, t4, s0
@@ -411,12 +412,16 @@ steep_light:
     j 6b
 steep_depth:
     bltz a1, 9f
+    li t0, 31 - 17
+    bge a1, t0, 4f // such a gradient fits
     mv t0, a1
     flatten 17
     bne a1, t0, 9f
+4:  addi t0, s10, 1
+    bgt a1, t0, fine_depth // it is as fine as FINE_DEPTH for such sides
     sra t4, t4, a1
     sra t5, t5, a1
-    words lw, a3, 0, t0, t1 // is it right to a code at the other two corners?
+    words lw, a3, 0, t0, t1 // is it right at the other two corners?
     words lw, a4, 0, t2, a1
     words lw, a5, 0, a2, a6
     sub t2, t2, t0
@@ -431,12 +436,12 @@ steep_depth:
     add a2, a2, a6
     sub t2, t2, s8
     sub a2, a2, s9
-    lui a1, 1 << 16 >> 12
+    lui a1, 9 // RIGHT_DEPTH
     add t2, t2, a1
     add a2, a2, a1
-    or t2, t2, a2
-    srli t2, t2, 17
-    beqz t2, 8b
+    slli a1, a1, 1
+    bgeu t2, a1, 9f
+    bltu a2, a1, 8b
 9:  li a0, 2 // PH_SMALL_STEEP
     j done
     .size ph_setup_small, . - ph_setup_small
