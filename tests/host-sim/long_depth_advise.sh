@@ -63,9 +63,10 @@ no_millimetre_at_100_m() {
         ! is_at_most "$(leaning .5 100 99.9 60 float24)" .001 && csv advise --separate .001 --at 100 --tilt 0 | grep -q '^float24,24,[^n]*$'
 }
 
-# More lines make the sub-pixel grid finer.
+# More lines make the sub-pixel grid finer: a format separates what none does on 240.
 lines_help() {
-    csv advise --separate .001 --at 100 --size 1000x1000 | grep -q '^float24,24,[^n]*$'
+    csv advise --separate .002 --at 100 | tail -n +2 | cut -d, -f6 | sort -u | grep -qx none &&
+        csv advise --separate .002 --at 100 --size 1000x1000 | grep -q '^fixed24,24,100,100,0.002,[1-9]'
 }
 
 near_says_what_it_separates() {
@@ -112,10 +113,10 @@ every_wrong_pixel_is_foreseen() {
 
 zfight_fights_in_fixed16_alone() {
     local format=fixed16 pixels overlapping fight wrong
-    read -r pixels overlapping fight wrong _ < <(row --demo zfight)
+    read -r pixels overlapping fight wrong _ < <(row --demo zfight --size 320x240)
     [ "$pixels" -gt 10000 ] && [ "$overlapping" -gt 8000 ] && [ "$fight" -gt 4000 ] && [ "$wrong" -gt 3000 ] || return 1
     format=float16
-    read -r _ _ fight wrong _ < <(row --demo zfight)
+    read -r _ _ fight wrong _ < <(row --demo zfight --size 320x240)
     [ "$fight" = 0 ] && [ "$wrong" = 0 ] && "$lab" advise --demo zfight | head -n 1 | grep -q '^Take float16 (16 bits) with the near plane at 0.25 m: 0 of .* would fight\.$'
 }
 
