@@ -1,5 +1,5 @@
 @ ph_cull (see cull.h) for ARMv6-M. A triangle without clip codes that faces away takes 29 instructions (38 if it is 16 px
-@ high or more), one that may have codes 36; to list one takes some 73 more.
+@ high or more), one that may have codes 36; to list one takes some 67 more.
 @
 @ Registers: r0 vertices, r1 index; r3 r4 r5 the corners a, b, c; then their x, y: a in r3 r6, b in r4 r7, c in r2 r5;
 @ r8 end, r9 2^12, r10 the struct ph_cull_run, r11 a row, lr where the loop begins.

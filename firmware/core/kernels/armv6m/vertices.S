@@ -1,4 +1,4 @@
-@ ph_vertices (see vertices.h) for ARMv6-M. A vertex takes some 243 instructions, 219 within a cube of 1.0 each way.
+@ ph_vertices (see vertices.h) for ARMv6-M. A vertex takes some 240 instructions, 215 within a cube of 1.0 each way.
 @
 @ Registers: r10 the struct ph_vertex_run, r8 from, r9 to, r11 r12 x, y before the divide, lr full light at its place in
 @ the word; r7 the struct from `near` to `round_x`, then its member `bottom`.
