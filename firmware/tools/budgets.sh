@@ -23,7 +23,7 @@ scene_of() { # board
             read -r used limit has < <(sed -n 's/^RAM *\([0-9]*\) of *\([0-9]*\) bytes.*scenes have \([0-9]*\),.*/\1 \2 \3/p' <<<"$said") || { echo "$said" >&2 && return 1; }
             elf=$B/firmware/$1-demos$([ "$isa" = "${isas%% *}" ] || echo "-$isa")$([ "$cores" = 1 ] || echo "-cores$cores").elf
             reserve=768 # what runs from RAM grows with the code
-            ! readelf -SW "$elf" | grep -q ' \.ram_text ' || reserve=2560 # 2 KB of code brings veneers and constants of its own
+            ! readelf -SW "$elf" | grep -q ' \.ram_text ' || reserve=3072 # 2 KB of code brings veneers and constants of its own
             has=$(((limit - (used - has) - reserve) / 512 * 512))
             [ -n "$least" ] && [ "$least" -lt "$has" ] || least=$has
         done

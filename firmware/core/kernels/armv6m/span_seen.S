@@ -33,7 +33,7 @@
     b 8f
     .endm
 
-    function ph_span_seen @ r3: same; stack: seen
+    function ph_span_seen, scenery @ r3: same; stack: seen
     push {r4-r7, lr}
     mov r12, r2
     lsls r2, r2, #1
