@@ -131,7 +131,7 @@ static int yard_frame(struct demo_context *context, struct ph_renderer *r, uint3
 #define VERTICES(levels, cells) (48 + 2 * MODEL_ICOSPHERE_VERTICES(levels) + MODEL_GROUND_VERTICES(cells))
 
 static const struct demo_level coarser[] = {
-    {.arena_bytes = ARENA_LESS, .vertex_max = VERTICES(3, CELLS_FEW), .triangle_max = 1400, .corner_max = 60},
+    {.arena_bytes = ARENA_LESS, .vertex_max = VERTICES(3, CELLS_FEW), .triangle_max = 1378, .corner_max = 60},
     {.arena_bytes = ARENA_SOME, .vertex_max = VERTICES(2, CELLS_SOME), .triangle_max = 700, .corner_max = 100},
     {.arena_bytes = ARENA_FEW, .vertex_max = VERTICES(1, CELLS_FEW), .triangle_max = 260, .corner_max = 60},
 };
