@@ -12,7 +12,8 @@
  *     less than 2^26; 1/4 by the gradients' last bits in 2 2^13 steps of 1/256 px. With fewer bits dropped the corners
  *     themselves are looked at: RIGHT_DEPTH.
  *   planes.c, sides up to 64 px: what stands beside FINE_STEP and FINE_DROP, 5/16.
- * With antialiasing, whose sides have up to 64 samples: 1 1/16. tests/core/test_depth_slivers.c holds it. */
+ * With antialiasing, whose sides have up to 64 samples, 1 1/8: slopes and gradients weigh twice as much.
+ * tests/core/test_depth_slivers.c holds it. */
 #define SMALL_CODES (9.0 / 16)
 #define HANG        508 /* units of 2^-32 that hang_plane of planes.c leaves out */
 

@@ -1,7 +1,8 @@
 /*
- * Depth of thin triangles: planes in 32 bits, against the differences of the corners. A plane that is right
- * at all three corners is so everywhere between them. Slivers down to the least area there is, at every angle, with
- * every difference of depth, of sides up to 32 px (small triangles, in the kernel of this CPU) and to 64 px.
+ * Depth of thin triangles: planes in 32 bits, against the differences of the corners. A plane that is right at all
+ * three corners is so everywhere between them. Slivers down to the least area there is, at every angle, with every
+ * difference of depth, of sides up to 32 px (small triangles, in the kernel of this CPU) and to 64 px, or to 64 samples
+ * of antialiasing.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,10 +18,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TRIANGLES   2000000
-#define CODE        65536.0    /* 16.16 */
-#define SMALL_CODES (9.0 / 16) /* depth_separation.c has the sums */
-#define SHORT_CODES (5.0 / 16 + 508 / CODE)
+#define TRIANGLES    2000000
+#define CODE         65536.0    /* 16.16 */
+#define SMALL_CODES  (9.0 / 16) /* depth_separation.c has the sums */
+#define SAMPLE_CODES (9.0 / 8)
+#define SHORT_CODES  (5.0 / 16 + 508 / CODE)
 
 struct sliver {
     struct ph_vertex corner[3];
@@ -42,7 +44,7 @@ static int32_t within(int32_t most)
 /* A triangle, thin in most cases, whose sides are at most `longest` in 1/256 px. False if it has no area. */
 static bool make_sliver(int32_t longest, struct sliver *t)
 {
-    const int32_t size = 1 << between(3, 30 - fx_clz32((uint32_t)longest));
+    const int32_t size = 1 << between(3, 31 - fx_clz32((uint32_t)longest));
     const int32_t thick = (int32_t)1 << between(0, 8), part = between(0, 256);
     int32_t x1 = within(size), y1 = within(size);
     int32_t x2 = x1 * part / 256 + within(thick), y2 = y1 * part / 256 + within(thick);
@@ -82,17 +84,25 @@ static double off(const struct sliver *t, const struct ph_plane *plane)
     return most;
 }
 
-static void small_triangles_are_right(void **state)
+static void expect_right(const struct sliver *s, const struct ph_plane *plane, double most)
+{
+    const double codes = off(s, plane);
+    if (codes > most) {
+        fail_msg("%.3f codes: sides %d, %d and %d, %d; depth %d, %d", codes, (int)s->sides.dx1, (int)s->sides.dy1,
+                 (int)s->sides.dx2, (int)s->sides.dy2, (int)(s->d[1] - s->d[0]), (int)(s->d[2] - s->d[0]));
+    }
+}
+
+/* Sets up triangles whose sides are below `side`. */
+static void check_small(uint32_t side, double most)
 {
     long set = 0, steep = 0;
-    (void)state;
-    ref_seed(11);
     for (long i = 0; i < TRIANGLES; i++) {
         struct sliver s;
         const struct ph_vertex *const v[3] = {&s.corner[0], &s.corner[1], &s.corner[2]};
         struct ph_triangle t;
         memset(&t, 0, sizeof(t));
-        if (!make_sliver(1 << 13, &s) || !ph_sides_are_small(&s.sides)) {
+        if (!make_sliver((int32_t)side, &s) || !ph_sides_are_below(&s.sides, side)) {
             continue;
         }
         const enum ph_small_setup done = ph_setup_small(&t, v, &s.sides, s.d);
@@ -100,15 +110,25 @@ static void small_triangles_are_right(void **state)
         if (done == PH_SMALL_SET) {
             const struct ph_small_triangle *const small = &t.as.small.rows;
             const struct ph_plane plane = {small->d - (uint32_t)t.y_top * small->d_dy, small->gd, small->d_dy};
-            const double codes = off(&s, &plane);
-            if (codes > SMALL_CODES) {
-                fail_msg("%.3f codes: sides %d, %d and %d, %d; depth %d, %d", codes, (int)s.sides.dx1, (int)s.sides.dy1,
-                         (int)s.sides.dx2, (int)s.sides.dy2, (int)(s.d[1] - s.d[0]), (int)(s.d[2] - s.d[0]));
-            }
+            expect_right(&s, &plane, most);
             set++;
         }
     }
     assert_true(set > TRIANGLES / 4 && steep > TRIANGLES / 50);
+}
+
+static void small_triangles_are_right(void **state)
+{
+    (void)state;
+    ref_seed(11);
+    check_small(PH_SIDE_SMALL, SMALL_CODES);
+}
+
+static void samples_are_right(void **state)
+{
+    (void)state;
+    ref_seed(13);
+    check_small(PH_SIDE_SHORT, SAMPLE_CODES);
 }
 
 static void short_triangles_are_right(void **state)
@@ -119,12 +139,8 @@ static void short_triangles_are_right(void **state)
     for (long i = 0; i < TRIANGLES; i++) {
         struct sliver s;
         struct ph_plane plane;
-        if (make_sliver(1 << 14, &s) && s.sides.is_short && ph_depth_plane(&plane, &s.corner[0], &s.sides, s.d)) {
-            const double codes = off(&s, &plane);
-            if (codes > SHORT_CODES) {
-                fail_msg("%.3f codes: sides %d, %d and %d, %d; depth %d, %d", codes, (int)s.sides.dx1, (int)s.sides.dy1,
-                         (int)s.sides.dx2, (int)s.sides.dy2, (int)(s.d[1] - s.d[0]), (int)(s.d[2] - s.d[0]));
-            }
+        if (make_sliver(PH_SIDE_SHORT, &s) && s.sides.is_short && ph_depth_plane(&plane, &s.corner[0], &s.sides, s.d)) {
+            expect_right(&s, &plane, SHORT_CODES);
             set++;
         }
     }
@@ -135,6 +151,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(small_triangles_are_right),
+        cmocka_unit_test(samples_are_right),
         cmocka_unit_test(short_triangles_are_right),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -63,8 +63,13 @@ no_millimetre_at_100_m() {
         ! is_at_most "$(leaning .5 100 99.9 60 float24)" .001 && csv advise --separate .001 --at 100 --tilt 0 | grep -q '^float24,24,[^n]*$'
 }
 
-# More lines make the sub-pixel grid finer: a format separates what none does on 240.
+# More lines make the sub-pixel grid finer.
 lines_help() {
+    csv advise --separate .001 --at 100 --size 1000x1000 | grep -q '^float24,24,[^n]*$'
+}
+
+# A format separates on 1000 lines what none does on 240.
+lines_help_a_format() {
     csv advise --separate .002 --at 100 | tail -n +2 | cut -d, -f6 | sort -u | grep -qx none &&
         csv advise --separate .002 --at 100 --size 1000x1000 | grep -q '^fixed24,24,100,100,0.002,[1-9]'
 }
@@ -224,6 +229,7 @@ END
 check "what advise says separates does, and half of the near plane does not" promises_are_kept
 check "a millimetre at 100 m and 60 degrees is finer than the sub-pixel grid" no_millimetre_at_100_m
 check "more lines help there" lines_help
+check "more lines help a format" lines_help_a_format
 check "a near plane separates what planes and resolve measure" near_says_what_it_separates
 check "advise, planes, slopes, resolve, budget and README.md agree" commands_agree
 check "every pixel that shows the wrong surface was foreseen" every_wrong_pixel_is_foreseen
