@@ -307,7 +307,7 @@ check: ## the unit tests and the quick scripts, for every edit; installs nothing
 test: ## installs what the tests need, runs all of them (under 10 minutes on 2 idle cores)
 	$(Q)B='$(B)' tests/run.sh test $(MAKEOVERRIDES)
 
-test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing, soaks, sweeps of boards. SHARE=1/15: one of 15 shares
+test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing, soaks, sweeps of boards. SHARE=1/24: one of 24 shares
 	$(Q)B='$(B)' tests/run.sh long $(MAKEOVERRIDES)
 
 proof: ## proves by CBMC and Gappa that no sum overflows, and how far results are off (about 10 minutes on 2 idle cores)

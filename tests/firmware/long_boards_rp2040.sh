@@ -53,7 +53,7 @@ a_dc_line_that_moves_early_is_seen() {
 }
 
 make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" || exit 1
-# What takes long takes turns: 10 shares have a board with so many cores and one measurement each.
+# What takes long takes turns.
 boards=()
 for mk in boards/*/board.mk; do
     ! grep -q 'families/pico.mk' "$mk" || boards+=("$(basename "$(dirname "$mk")")")
@@ -67,8 +67,8 @@ for board in "${boards[@]}"; do
     [ "$board" = pico-display ] || ! in_share || check "a_demo_that_fits_the_time_of_the_bus_takes_no_longer_on_$board" within_the_bar "$board"
 done
 check "the_table_has_a_row_for_each_demo" the_table_has_all
-for ((i = 0; i < 6; i++)); do # every sixth demo, for the slow ones stand side by side
-    mapfile -t group < <(listed | awk -v i=$i '(NR - 1) % 6 == i')
+for ((i = 0; i < 12; i++)); do # every twelfth demo, for the slow ones stand side by side
+    mapfile -t group < <(listed | awk -v i=$i '(NR - 1) % 12 == i')
     ! in_share || check "$(tr ' ' _ <<<"${group[*]}")_are_as_in_the_table" as_in_the_table "${group[@]}"
 done
 ! in_share || check "without_CHANGES_frames_are_whole" whole_frames

@@ -35,7 +35,7 @@ tap_end() {
     exit
 }
 
-share_number=0
+share_number=$(cksum <<<"${0##*/}") && share_number=${share_number%% *} # or all would begin in the first share
 in_share() {
     local share=${SHARE:-1/1}
     [ $((share_number++ % ${share#*/} + 1)) = "${share%/*}" ]
