@@ -51,8 +51,27 @@ static double spread(int i, double by)
     return i * by - floor(i * by);
 }
 
-/* Place number i of the sweep. Its upper edge is at at_m, or its lower one where the planes lean towards us. In three
- * of four places the plane in front is moved within itself, towards us. */
+/* The slope of rays at the edge of the picture at which planes that lean so are nearest to us, less a part. */
+static double steepest_slope(const struct depth_lab *lab, struct planes_lean lean, double less)
+{
+    double along, across;
+    depth_planes_extent(lab, lean.azimuth_deg, &along, &across);
+    return (lean.tilt_deg > 0 ? -1 : 1) * fmax(along - less, 0);
+}
+
+/* Where the picture reaches farthest to the side at which the planes are nearest to us: beside the middle, with a
+ * margin, so that a plane which is put there has pixels. */
+static double across_at_edge(const struct depth_lab *lab, struct planes_lean lean)
+{
+    const double half_h = depth_pixel_slope(lab) * lab->height / 2, half_w = half_h * lab->width / lab->height;
+    const double c = cos(depth_radians(lean.azimuth_deg)), s = sin(depth_radians(lean.azimuth_deg));
+    const double of_width = s == 0 ? 0 : copysign(half_w, s), of_height = c == 0 ? 0 : copysign(half_h, c);
+    return 0.9 * (lean.tilt_deg > 0 ? 1 : -1) * (of_height * s - of_width * c);
+}
+
+/* Place number i of the sweep. Its upper edge is at at_m, or its lower one where the planes lean towards us: at the
+ * middle of the picture, or near the edge at which rays meet the planes most steeply. In three of four places the plane
+ * in front is moved within itself, towards us. */
 static struct planes_place place_of(const struct planes_canvas *canvas, const struct ph_depth_format *format,
                                     struct planes_lean lean, int i)
 {
@@ -62,12 +81,17 @@ static struct planes_place place_of(const struct planes_canvas *canvas, const st
     const double most = (i % 8 == 6 ? TINY_PX : SIDE_PX) * pixel;
     lean.at_m -= 2 * step * spread(i, 0.6180339887);
     lean.azimuth_deg = isnan(lean.azimuth_deg) ? 360 * spread(i, 0.5698402909) : lean.azimuth_deg;
+    const bool is_at_edge = i % 4 == 0 && lean.tilt_deg != 0;
+    const double from = is_at_edge ? steepest_slope(lab, lean, most) : 0;
+    lean.at_m *= 1 - from * tan(depth_radians(lean.tilt_deg));
     struct planes_place place = depth_planes_whole(lab, lean, room);
     const double side = i % 2 == 0 ? fmin(most, place.slope_side) : place.slope_side;
-    const double low = i % 2 == 0 ? fmax(-most, place.slope_low / MARGIN) : place.slope_low / MARGIN;
-    const double high = i % 2 == 0 ? fmin(most, place.slope_high / MARGIN) : place.slope_high / MARGIN;
-    place.slope_low = lean.tilt_deg >= 0 ? low + pixel * spread(i, 0.7548776662) : 0;
-    place.slope_high = lean.tilt_deg > 0 ? 0 : high - pixel * spread(i, 0.7548776662);
+    const double down = (place.slope_low - from) / MARGIN, up = (place.slope_high - from) / MARGIN;
+    const double low = from + (i % 2 == 0 ? fmax(-most, down) : down);
+    const double high = from + (i % 2 == 0 ? fmin(most, up) : up);
+    place.slope_low = lean.tilt_deg >= 0 ? low + pixel * spread(i, 0.7548776662) : from;
+    place.slope_high = lean.tilt_deg > 0 ? from : high - pixel * spread(i, 0.7548776662);
+    place.slope_middle = is_at_edge ? across_at_edge(lab, lean) : 0;
     place.slope_side = side - pixel * spread(i, 0.8191725134);
     place.shift = (lean.tilt_deg >= 0 ? -1 : 1) * (i / 2 % (SHIFT_MAX + 1));
     return place;
@@ -141,6 +165,8 @@ static void predict(const struct depth_lab *lab, const struct ph_depth_format *f
         sweep->s_min_m = fmax(sweep->s_min_m, depth_s_min_m(s_xy, depth_step_m(format, lab, z), tan_phi));
         sweep->at_tilt_m = fmax(sweep->at_tilt_m, depth_planes_predicted_m(lab, format, z, slope, lean.tilt_deg));
     }
+    const double at_edge = depth_planes_predicted_m(lab, format, lean.at_m, steepest_slope(lab, lean, 0), lean.tilt_deg);
+    sweep->at_tilt_m = fmax(sweep->at_tilt_m, at_edge);
 }
 
 struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struct ph_depth_format *format,

@@ -32,8 +32,8 @@ struct planes_sweep {
 /*
  * Finds the smallest separation of planes that lean so and whose farthest point is at lean.at_m. It goes from well
  * above S_min down in steps of 2^(1/16). Each separation is tried in 24 places that differ by parts of a pixel and of a
- * depth step; half of them are as wide as the picture, the others small (24 px) or tiny (6 px) in its middle. If
- * lean.azimuth_deg is NAN each place has an azimuth of its own.
+ * depth step; half of them are as wide as the picture, the others small (24 px) or tiny (6 px) in its middle, or small
+ * at the edge where rays meet the planes most steeply. If lean.azimuth_deg is NAN each place has an azimuth of its own.
  */
 struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struct ph_depth_format *format,
                                        struct planes_lean lean);

@@ -57,7 +57,7 @@ struct planes_place depth_planes_whole(const struct depth_lab *lab, struct plane
     double half, side;
     depth_planes_extent(lab, lean.azimuth_deg, &half, &side);
     const double nearest = depth_metres(lab->near_z) + separation_m + 2.0 / 65536, farthest = depth_metres(lab->far_z);
-    struct planes_place place = {lean, separation_m, -half, half, side, 0};
+    struct planes_place place = {lean, separation_m, -half, half, side, 0, 0};
     /* D = at / (1 - s slope) from nearest to farthest */
     const double at_near = slope != 0 ? (1 - lean.at_m / nearest) / slope : 0;
     const double at_far = slope != 0 ? (1 - lean.at_m / farthest) / slope : 0;
@@ -100,7 +100,7 @@ bool depth_planes_make(const struct depth_lab *lab, const struct planes_place *p
         return false;
     }
     struct planes_quad *const behind = &pair->behind;
-    behind->a = (struct fx_vec3){to_fx(-side), to_fx(place->slope_low * d0), to_fx(-d0)};
+    behind->a = (struct fx_vec3){to_fx(place->slope_middle * farthest - side), to_fx(place->slope_low * d0), to_fx(-d0)};
     behind->ux = to_fx(2 * side);
     behind->vy = (to_fx(place->slope_high * d1) - behind->a.y) / PLANES_PARTS * PLANES_PARTS;
     behind->vz = (to_fx(-d1) - behind->a.z) / PLANES_PARTS * PLANES_PARTS;

@@ -39,6 +39,7 @@ struct planes_place {
     struct planes_lean lean;
     double separation_m;
     double slope_low, slope_high, slope_side;
+    double slope_middle; /* across, of the middle of the farther edge */
     int shift; /* moves the plane in front within itself by this many 64ths of its height, and a little sideways */
 };
 

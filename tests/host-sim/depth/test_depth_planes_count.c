@@ -45,7 +45,7 @@ static void pixels_that_show_the_farther_plane_are_counted(void **state)
 {
     static uint8_t verdicts[256];
     struct planes_pair pair;
-    const struct planes_place place = {{8, 0, 0}, 1, -.5, .5, .5, 0};
+    const struct planes_place place = {{8, 0, 0}, 1, -.5, .5, .5, 0, 0};
     (void)state;
     canvas.draw = draw_known;
     assert_true(depth_planes_make(&lab, &place, &pair));
@@ -65,6 +65,21 @@ static void pixels_that_show_the_farther_plane_are_counted(void **state)
 
 static double needed_m;
 static unsigned whole, small, tiny; /* planes by their width */
+static unsigned all, at_edge;       /* ... of one tilt; those near the edge of the picture at which they are nearest */
+static struct planes_lean leaning;
+
+/* The middle of the farther edge of a plane that leans as `leaning` lies beyond 6/10 of the picture, and in it, and is as
+ * far away as was asked for. The picture's half is 1. */
+static bool is_at_edge(const struct planes_quad *quad)
+{
+    const bool is_upper = leaning.tilt_deg > 0;
+    const double z = -(double)(quad->a.z + (is_upper ? quad->vz : 0));
+    const double along = (quad->a.y + (is_upper ? quad->vy : 0)) / z, across = (quad->a.x + quad->ux / 2) / z;
+    const double a = depth_radians(leaning.azimuth_deg), right = across * cos(a) + along * sin(a),
+                 up = along * cos(a) - across * sin(a);
+    return (is_upper ? -along : along) > 0.6 && fabs(right) < 1 && fabs(up) < 1 &&
+           fabs(z / 65536 - leaning.at_m) < leaning.at_m / 16;
+}
 
 /* Everything is covered; the plane in front shows where it is far enough from the other one. */
 static void draw_above(struct planes_canvas *c, const struct planes_quad *behind, const struct planes_quad *front)
@@ -76,6 +91,8 @@ static void draw_above(struct planes_canvas *c, const struct planes_quad *behind
         whole += behind->ux > FX_INT(8);
         small += behind->ux > FX_INT(3) && behind->ux <= FX_INT(8);
         tiny += behind->ux <= FX_INT(3);
+        all++;
+        at_edge += is_at_edge(behind);
     }
     for (int i = 0; i < c->lab->width * c->lab->height; i++) {
         c->pixels[i] = colour;
@@ -129,6 +146,25 @@ static void half_of_the_places_are_small_and_an_eighth_tiny(void **state)
     assert_in_range(small, 3 * tiny - 12, 3 * tiny + 12);
 }
 
+/* There rays meet the planes most steeply, and a step of depth is longest along their normal. */
+static void a_quarter_of_the_places_lie_at_the_edge(void **state)
+{
+    static const double azimuths[] = {0, 30, 45, 200, -75};
+    (void)state;
+    depth_planes_close(&canvas);
+    lab.width = lab.height = 64;
+    assert_int_equal(depth_planes_open(&canvas, &lab, PH_DEPTH_FIXED16), 0);
+    canvas.draw = draw_above;
+    needed_m = 0;
+    for (size_t i = 0; i < 2 * sizeof azimuths / sizeof azimuths[0]; i++) {
+        leaning = (struct planes_lean){20, i % 2 == 0 ? 40 : -40, azimuths[i / 2]};
+        all = at_edge = 0;
+        depth_planes_sweep(&canvas, PH_DEPTH_FIXED16, leaning);
+        assert_true(all > 0);
+        assert_in_range(4 * at_edge, all - 24, all + 24);
+    }
+}
+
 /* ---- predictions ------------------------------------------------------------------------------------------------ */
 
 static void predictions_are_steps_along_the_normal(void **state)
@@ -157,6 +193,8 @@ static void what_is_predicted_of_facing_planes_is_that_of_their_distance(void **
     assert_true(sweep.bound_m == depth_separation_m(PH_DEPTH_FIXED16, &lab, 8, 0, depth_way_px(&lab)));
     const struct planes_sweep tilted = depth_planes_sweep(&canvas, PH_DEPTH_FIXED16, (struct planes_lean){8, 40, 0}),
                               back = depth_planes_sweep(&canvas, PH_DEPTH_FIXED16, (struct planes_lean){8, -40, 0});
+    /* at the edge a ray's slope is 1 */
+    assert_true(fabs(tilted.at_tilt_m - depth_planes_predicted_m(&lab, PH_DEPTH_FIXED16, 8, -1, 40)) < 1e-12);
     assert_true(tilted.bound_m > tilted.at_tilt_m && tilted.bound_m == back.bound_m && tilted.s_min_m == back.s_min_m);
 }
 
@@ -167,6 +205,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(the_sweep_finds_the_separation_that_is_needed, fresh, closed),
         cmocka_unit_test_setup_teardown(a_perfect_renderer_needs_next_to_nothing, fresh, closed),
         cmocka_unit_test_setup_teardown(half_of_the_places_are_small_and_an_eighth_tiny, fresh, closed),
+        cmocka_unit_test_setup_teardown(a_quarter_of_the_places_lie_at_the_edge, fresh, closed),
         cmocka_unit_test_setup_teardown(predictions_are_steps_along_the_normal, fresh, closed),
         cmocka_unit_test_setup_teardown(what_is_predicted_of_facing_planes_is_that_of_their_distance, fresh, closed),
     };

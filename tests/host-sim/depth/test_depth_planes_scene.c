@@ -27,15 +27,15 @@ static int closed(void **state)
     return 0;
 }
 
-/* At 45 degrees from slope -1/2 to 0: from 8 / (1 + 1/2) to 8 m away. */
+/* At 45 degrees from slope -1/2 to 0: from 8 / (1 + 1/2) to 8 m away, where its middle is 4 m to the right. */
 static void planes_lie_where_their_slopes_say(void **state)
 {
-    const struct planes_place place = {{8, 45, 0}, .5, -.5, 0, .25, 2};
+    const struct planes_place place = {{8, 45, 0}, .5, -.5, 0, .25, .5, 2};
     struct planes_pair pair;
     (void)state;
     assert_true(depth_planes_make(&lab, &place, &pair));
     const struct planes_quad *const b = &pair.behind, *const f = &pair.front;
-    assert_true(b->a.x == FX_INT(-2) && b->ux == FX_INT(4));
+    assert_true(b->a.x == FX_INT(2) && b->ux == FX_INT(4));
     assert_true(b->a.y == -174763 && b->a.z == -349525); /* -8/3, -16/3 */
     assert_true(b->vy == 174720 && b->vz == -174720);    /* 8/3 in steps of 64 */
     assert_true(f->ux == b->ux && f->vy == b->vy && f->vz == b->vz);
@@ -56,11 +56,11 @@ static void planes_outside_of_the_lens_are_refused(void **state)
         struct planes_place place;
         bool is_made;
     } cases[] = {
-        {{{8, 0, 0}, 1, -.5, .5, .25, 0}, true},       {{{64, 0, 0}, 1, -.5, .5, .25, 0}, true},
-        {{{64.001, 0, 0}, 1, -.5, .5, .25, 0}, false}, {{{2, 0, 0}, 1, -.5, .5, .25, 0}, true},
-        {{{2, 0, 0}, 1.001, -.5, .5, .25, 0}, false},  {{{8, 0, 0}, 1, .5, .5, .25, 0}, false},
-        {{{8, 0, 0}, 1, -.5, .5, 0, 0}, false},        {{{32, 45, 0}, 1, -.5, .5, .25, 0}, true},
-        {{{33, 45, 0}, 1, -.5, .5, .25, 0}, false},    {{{8, 60, 0}, 1, -.5, .6, .25, 0}, false},
+        {{{8, 0, 0}, 1, -.5, .5, .25, 0, 0}, true},       {{{64, 0, 0}, 1, -.5, .5, .25, 0, 0}, true},
+        {{{64.001, 0, 0}, 1, -.5, .5, .25, 0, 0}, false}, {{{2, 0, 0}, 1, -.5, .5, .25, 0, 0}, true},
+        {{{2, 0, 0}, 1.001, -.5, .5, .25, 0, 0}, false},  {{{8, 0, 0}, 1, .5, .5, .25, 0, 0}, false},
+        {{{8, 0, 0}, 1, -.5, .5, 0, 0, 0}, false},        {{{32, 45, 0}, 1, -.5, .5, .25, 0, 0}, true},
+        {{{33, 45, 0}, 1, -.5, .5, .25, 0, 0}, false},    {{{8, 60, 0}, 1, -.5, .6, .25, 0, 0}, false},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -92,7 +92,7 @@ static void rays_meet_planes_where_trigonometry_says(void **state)
     static const double azimuths[] = {0, 90, 180, 37, -120};
     (void)state;
     for (size_t i = 0; i < sizeof azimuths / sizeof azimuths[0]; i++) {
-        const struct planes_place place = {{8, 30, azimuths[i]}, .5, -.7, .7, .5, 0};
+        const struct planes_place place = {{8, 30, azimuths[i]}, .5, -.7, .7, .5, 0, 0};
         struct planes_pair pair;
         assert_true(depth_planes_make(&lab, &place, &pair));
         depth_planes_turn(&canvas, azimuths[i]);
@@ -122,7 +122,7 @@ static uint32_t count_of(uint16_t colour)
 static void the_nearer_plane_hides_the_other(void **state)
 {
     struct planes_pair pair;
-    const struct planes_place place = {{2.5, 0, 0}, 1.25, -.5, .5, .25, 0};
+    const struct planes_place place = {{2.5, 0, 0}, 1.25, -.5, .5, .25, 0, 0};
     (void)state;
     assert_true(depth_planes_make(&lab, &place, &pair));
     depth_planes_draw(&canvas, &pair.behind, NULL);
@@ -144,7 +144,7 @@ static void the_nearer_plane_hides_the_other(void **state)
 static void codes_of_16_bits_are_read_as_such(void **state)
 {
     struct planes_pair pair;
-    const struct planes_place place = {{2.5, 0, 0}, 1, -1, 1, 2, 0};
+    const struct planes_place place = {{2.5, 0, 0}, 1, -1, 1, 2, 0, 0};
     (void)state;
     depth_planes_close(&canvas);
     assert_int_equal(depth_planes_open(&canvas, &lab, PH_DEPTH_FLOAT16), 0);
