@@ -112,10 +112,10 @@ struct animation_stage *animation_begin(struct demo_arena *arena, const struct a
     return s;
 }
 
-/* Where a clip is, in Q16.16 seconds, after it has played so many 1/65536 s. */
-static fx_t time_of(const struct ph_clip *clip, uint64_t passed)
+/* Where something is that repeats after a duration, in Q16.16 seconds, when so many 1/65536 s have passed. */
+static fx_t time_of(fx_t repeats_after, uint64_t passed)
 {
-    const uint32_t duration = clip->duration > 0 ? (uint32_t)clip->duration : 1;
+    const uint32_t duration = repeats_after > 0 ? (uint32_t)repeats_after : 1;
     uint32_t time = (uint32_t)(passed >> 16);
     for (uint32_t bit = 0; bit < 16; bit++) { /* times FX_ONE, which would overflow after 65,536 s */
         time = time % duration * 2;
@@ -139,11 +139,21 @@ void animation_move(const struct animation_stage *s, const struct ph_renderer *r
     animation_move_at(s, r, clock_of(frame, ANIMATION_FRAMES_A_SECOND));
 }
 
+/* A time in 1/65536 s. */
+static uint64_t parts_of(struct demo_clock clock)
+{
+    return (uint64_t)clock.seconds << 16 | clock.part;
+}
+
+static struct demo_clock clock_at(uint64_t parts)
+{
+    return (struct demo_clock){.seconds = (uint32_t)(parts >> 16), .part = (uint16_t)parts};
+}
+
 /* How long a layer has played at a time, in 1/65536 s; 0 before it began. */
 static uint64_t played(const struct animation_layer *layer, struct demo_clock clock)
 {
-    const uint64_t from = (uint64_t)layer->since.seconds << 16 | layer->since.part,
-                   to = (uint64_t)clock.seconds << 16 | clock.part;
+    const uint64_t from = parts_of(layer->since), to = parts_of(clock);
     return to > from ? to - from : 0;
 }
 
@@ -164,7 +174,7 @@ static void set_pose(const struct animation *a, const struct animation_layer *la
         weights[i] = a->rest_weights[i];
     }
     if (layer) {
-        const fx_t time = time_of(layer->clip, played(layer, clock));
+        const fx_t time = time_of(layer->clip->duration, played(layer, clock));
         if (a->sample) {
             a->sample(a, layer->clip, time, pose, weights);
         } else {
@@ -244,6 +254,44 @@ static uint64_t clip_frame(struct animation_stage *s, uint32_t frame)
     return (uint64_t)s->wraps << 32 | frame;
 }
 
+/* How long a clip that plays in turn does so before the next one begins. */
+static fx_t turn_of(const struct animation *a, uint32_t i)
+{
+    const fx_t until_fade = a->clips[i].duration - a->cross_fade;
+    return until_fade > a->cross_fade ? until_fade : a->cross_fade;
+}
+
+fx_t animation_round(const struct animation *a)
+{
+    fx_t round = 0;
+    for (uint32_t i = 0; i < a->clip_count; i++) {
+        round = fx_add_sat(round, turn_of(a, i));
+    }
+    return round;
+}
+
+/* Sets the layers to the clip whose turn it is at a time, and the one before it, which fades out at first. They are
+ * found from the time alone, so that a frame looks the same whichever frames were drawn before it. */
+static void take_turns(struct animation_stage *s, struct demo_clock clock)
+{
+    const struct animation *const a = s->animation;
+    const uint64_t now = parts_of(clock);
+    fx_t time = time_of(animation_round(a), now);
+    uint32_t i = 0;
+    while (i + 1 < a->clip_count && time >= turn_of(a, i)) {
+        time -= turn_of(a, i++);
+    }
+    const uint32_t before = (i > 0 ? i : a->clip_count) - 1;
+    const uint64_t since = now - (uint64_t)time, since_before = since - (uint64_t)turn_of(a, before);
+    s->layers[0] = (struct animation_layer){&a->clips[before], clock_at(since_before)};
+    s->layers[1] = (struct animation_layer){&a->clips[i], clock_at(since)};
+    s->layer_count = 2;
+    if (since == 0) { /* before the first of all is none */
+        s->layers[0] = s->layers[1];
+        s->layer_count = 1;
+    }
+}
+
 int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     struct animation_stage *const s = context->state;
@@ -253,6 +301,9 @@ int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_
     if (s->starts) {
         s->layers[s->layer_count - 1].since = clock;
         s->starts = false;
+    }
+    if (s->animation->in_turn && s->animation->clip_count > 1) {
+        take_turns(s, clock);
     }
     animation_move_at(s, r, clock);
     context->state = s->view;
@@ -265,7 +316,7 @@ bool animation_select(struct demo_context *context)
 {
     struct animation_stage *const s = context->state;
     const struct animation *const a = s->animation;
-    if (a->clip_count < 2) {
+    if (a->clip_count < 2 || a->in_turn) {
         return false;
     }
     const struct ph_clip *const next = s->layers[s->layer_count - 1].clip + 1;

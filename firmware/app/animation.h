@@ -28,6 +28,7 @@ struct animation {
     const struct ph_clip *clips; /* those that the select button goes through, of which `clip` is one; or NULL */
     uint32_t clip_count;
     fx_t cross_fade; /* seconds that the way from one clip to the next takes, 0 or more */
+    bool in_turn;    /* the clips play by themselves: see animation_round() */
     /* Samples one of `clips` in place of ph_clip_sample(); or NULL. */
     void (*sample)(const struct animation *a, const struct ph_clip *clip, fx_t time, struct ph_pose *pose,
                    int32_t *weights);
@@ -92,8 +93,14 @@ int animation_init(struct demo_context *context, const struct animation *animati
                    uint32_t mesh_count, const struct demo_eye *eye);
 int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
 
+/* Seconds that a round of clips takes which play in turn. Each of them plays once, from its beginning, and the next one
+ * fades in while it ends; the first one comes after the last. A clip that is shorter than two cross-fades goes on until
+ * the next one has faded in. A round ends after 32,768 s at the latest. */
+fx_t animation_round(const struct animation *animation);
+
 /* Takes the next clip, which plays from its beginning and fades in from the next frame on. False: the scene has shown
- * all of them. With a third clip within the time of one cross-fade the first is gone at once. */
+ * all of them, or shows them by itself. With a third clip within the time of one cross-fade the first is gone at once.
+ */
 bool animation_select(struct demo_context *context);
 
 #endif

@@ -168,11 +168,12 @@ static bool is_studio_right(const struct scene_file_head *head)
     return s->has_lamp == 0 || (s->has_lamp == 1 && is_unit(way));
 }
 
+#define FLAGS ((uint32_t)(SCENE_FILE_CAMERA | SCENE_FILE_BARE | SCENE_FILE_STUDIO | SCENE_FILE_IN_TURN))
+
 /* Checks the head alone. Returns NULL, or what is wrong. */
 static const char *head_wrong(const struct scene_file_head *head)
 {
-    return (head->flags & ~(uint32_t)(SCENE_FILE_CAMERA | SCENE_FILE_BARE | SCENE_FILE_STUDIO)) != 0
-               ? "is broken: it has unknown flags"
+    return (head->flags & ~FLAGS) != 0                                        ? "is broken: it has unknown flags"
            : !is_name_right(head->name)                                       ? "is broken: its name is no text"
            : head->mesh_count == 0                                            ? "has no mesh"
            : (head->flags & SCENE_FILE_STUDIO) != 0 && !is_studio_right(head) ? "is broken: its lamp is none"

@@ -21,6 +21,7 @@
  * - Weights of targets may have any size; -8 .. 8 counts.
  * - Places of the rig and of joints may scale, mirror and shear; what leaves Q16.16 saturates.
  * - A motion that no mesh follows moves nothing.
+ * - SCENE_FILE_IN_TURN says nothing where there are fewer than two clips; with it, `playing` says nothing.
  */
 #ifndef SCENE_FORMAT_H
 #define SCENE_FORMAT_H
@@ -33,8 +34,9 @@
 #define SCENE_FILE_MESHES  4096u /* at most */
 #define SCENE_FILE_NAME    40
 
-/* BARE: without the platter of the turntable. STUDIO: a struct demo_studio stands behind the table of meshes. */
-enum scene_file_flag { SCENE_FILE_CAMERA = 1, SCENE_FILE_BARE = 2, SCENE_FILE_STUDIO = 4 };
+/* BARE: without the platter of the turntable. STUDIO: a struct demo_studio stands behind the table of meshes. IN_TURN:
+ * the clips play by themselves. */
+enum scene_file_flag { SCENE_FILE_CAMERA = 1, SCENE_FILE_BARE = 2, SCENE_FILE_STUDIO = 4, SCENE_FILE_IN_TURN = 8 };
 
 struct scene_file_head {
     uint32_t magic, version;

@@ -219,7 +219,8 @@ static struct animation animation_of(const struct scene_file_head *head, const s
                           .outline = scene_file_at(head, motion->outline),
                           .outline_count = motion->outline_count,
                           .clip_count = motion->clip_count,
-                          .cross_fade = motion->cross_fade};
+                          .cross_fade = motion->cross_fade,
+                          .in_turn = (head->flags & SCENE_FILE_IN_TURN) != 0};
     memcpy(a.root.r, motion->r, sizeof(a.root.r));
     for (uint32_t i = 0; i < head->mesh_count; i++) {
         a.mesh_count += scene_file_table(head)[i].moving != 0;
@@ -233,7 +234,7 @@ struct tables {
     const struct scene_file_head *head;
 };
 
-#define TABLES_BYTES_32 104
+#define TABLES_BYTES_32 108
 #define MESH_BYTES_32   64
 #define CLIP_BYTES_32   16
 _Static_assert(sizeof(void *) > 4 || sizeof(struct tables) == TABLES_BYTES_32, "TABLES_BYTES_32 is wrong");

@@ -52,8 +52,10 @@ static const struct option_row rows[] = {
     {"texture-size", "N", "longest side of a texture; larger ones are shrunk. 256 by default",
      "a power of two, 1 .. 1024", .set = set_texture},
     MODEL_OPTION_ROWS(struct asset_options, model_options),
-    {"clip", "NAME", "keeps this clip of a glTF file alone; without it all are kept, and the first plays", "a name",
-     .at = offsetof(struct asset_options, clip)},
+    {"clip", "NAME[,NAME]",
+     "keeps this clip of a glTF file alone, or these, of which each plays once and fades into the next while it ends;\n"
+     "        without it all are kept, and the first plays, until the select button takes the next",
+     "a name, or several", .at = offsetof(struct asset_options, clip)},
     {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
      "a name that pinhole-sim --list shows", .set = set_board, .names = nearest_board},
     {"flash", "BYTES", "bytes of flash that the data must fit", "a whole number, 1 .. 1073741824",

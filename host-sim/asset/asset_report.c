@@ -111,8 +111,9 @@ static void report_motion(FILE *file, const struct model_motion *m)
     for (uint32_t i = 0; i < m->animation.clip_count; i++) {
         const struct ph_clip *clip = &m->animation.clips[i];
         fprintf(file, "%s %s (%.2f s)%s", i > 0 ? "," : "", clip->name, clip->duration / 65536.0,
-                m->animation.clip == clip && m->animation.clip_count > 1 ? " plays" : "");
+                m->animation.clip == clip && m->animation.clip_count > 1 && !m->animation.in_turn ? " plays" : "");
     }
+    fputs(m->animation.in_turn ? ", in turn" : "", file);
     fprintf(file,
             "\nrounding   positions %.2g, morph targets %.2g, keys of translation %.2g of the model's radius, of "
             "rotation %.2g degrees,\n           of scale %.2g, of weights %.2g, their times %.2g s, shares of joints "

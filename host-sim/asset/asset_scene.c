@@ -222,6 +222,7 @@ size_t asset_scene(const struct asset *asset, uint8_t *bytes)
         meshes[motion->animation.meshes[i].mesh].moving = write_moving(&to, &motion->animation, i, skins);
     }
     head.motion = motion != NULL ? write_motion(&to, motion) : 0;
+    head.flags |= motion != NULL && motion->animation.in_turn ? (uint32_t)SCENE_FILE_IN_TURN : 0;
     if (bytes != NULL) {
         head.bytes = to.used;
         memcpy(bytes, &head, sizeof head);

@@ -217,6 +217,7 @@ void asset_write_motion(FILE *file, const struct model *model)
         fprintf(file,
                 ",\n    .clip = &clips[%u],\n    .clips = clips,\n    .clip_count = %u,\n    .cross_fade = %" PRId32,
                 (unsigned)(a->clip - a->clips), (unsigned)a->clip_count, a->cross_fade);
+        fputs(a->in_turn ? ",\n    .in_turn = true" : "", file);
     }
     fprintf(file, ",\n    .meshes = moving,\n    .mesh_count = %u,\n    .weight_count = %u,\n", (unsigned)a->mesh_count,
             (unsigned)a->weight_count);

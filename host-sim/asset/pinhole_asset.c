@@ -82,7 +82,7 @@ static int run(const struct asset_options *o)
         complain_note("%s: %s", o->goal.model, model->note);
     }
     status = model_play(model, o->clip);
-    if (status == 0 && o->clip != NULL) { /* the others take no flash */
+    if (status == 0 && o->clip != NULL && !model->motion->animation.in_turn) { /* the others take no flash */
         model->motion->animation.clips = model->motion->animation.clip;
         model->motion->animation.clip_count = 1;
     }

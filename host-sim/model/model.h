@@ -131,7 +131,7 @@ bool model_is_colour(const char *text);
          .words = MODEL_LIGHTS},                                                                                       \
         {"cross-fade",                                                                                                 \
          "MS",                                                                                                         \
-         "how long the select button takes from one clip to the next; 250 ms by default",                              \
+         "how long one clip takes to fade into the next, by the select button or in turn; 250 ms by default",          \
          "a whole number, 1 .. 10000",                                                                                 \
          .at = offsetof(options, member.cross_fade_ms),                                                                \
          .least = 1,                                                                                                   \
@@ -152,10 +152,12 @@ const struct animation_mesh *model_moving(const struct model *model, uint32_t me
 /* Triangles of the budget that its blends take in a picture of so many columns; 0 without blends. */
 uint32_t model_blend_triangles(const struct model *model, uint32_t width);
 
-/* Frames of the clip that plays; 0: there is none. */
+/* Frames of the clip that plays, or of a round of those that play in turn; 0: there is none. */
 uint32_t model_clip_frames(const struct model *model);
 
-/* Begins with the clip of that name from now on; NULL changes nothing. 0, or after complaining PH_ERR_INVAL. */
+/* Begins with the clip of that name from now on. Of several names with commas between them, no other clips are kept,
+ * and they play in turn (animation_round()). NULL changes nothing. 0, or after complaining PH_ERR_INVAL, and then the
+ * clips may stand in another order. */
 int model_play(struct model *model, const char *name);
 
 /* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else `turntable` alone. Its

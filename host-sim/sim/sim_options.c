@@ -217,8 +217,11 @@ static const struct option_row rows[] = {
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct sim_options, model)},
     MODEL_OPTION_ROWS(struct sim_options, model_options),
-    {"clip", "NAME", "the animation of the model that plays first; its first by default", "the name of an animation",
-     .at = offsetof(struct sim_options, clip)},
+    {"clip", "NAME[,NAME]",
+     "the animation of the model that plays first; its first by default. Of several, each plays once, and fades into "
+     "the\n"
+     "        next while it ends (--cross-fade); after the last the first comes again",
+     "the name of an animation, or several", .at = offsetof(struct sim_options, clip)},
     {"clip-fps", "N",
      "frames in a second of the animation: frame number F shows it at F / N s; 30 by default, but a window that its\n"
      "        user closes shows it by the clock",

@@ -503,6 +503,110 @@ static void a_clip_that_is_selected_begins_with_the_next_frame(void **state)
     demo_stage_close(&s);
 }
 
+/* ---- in turn ----------------------------------------------------------------------------------------------------- */
+
+static void a_round_ends_when_the_last_clip_begins_to_end(void **state)
+{
+    (void)state;
+    struct animation a = {.clips = three, .clip_count = 3, .cross_fade = FX_ONE / 4};
+    assert_int_equal(animation_round(&a), 3 * FX_ONE + FX_ONE / 4);
+    a.cross_fade = 0;
+    assert_int_equal(animation_round(&a), 4 * FX_ONE);
+    a.cross_fade = FX_ONE - 1; /* the first and the last are shorter than two fades */
+    assert_int_equal(animation_round(&a), 3 * (FX_ONE - 1) + 2);
+    a.cross_fade = INT32_MAX;
+    assert_int_equal(animation_round(&a), INT32_MAX);
+}
+
+/* A frame is 1/8 s, and a fade takes two. In a round of 26 frames the clips begin in frames 0, 6 and 20; within a fade
+ * the clip before plays on, and half of each shows in its second frame. */
+static double z_in_turn(uint32_t frame)
+{
+    const uint32_t f = frame % 26;
+    return frame < 6 ? 0
+           : f == 0  ? 2
+           : f == 1  ? 1
+           : f < 7   ? 0
+           : f == 7  ? .5 * 1.125
+           : f < 21  ? 1 + (f - 6) / 8.
+           : f == 21 ? .5 * (2.875 + 2)
+                     : 2;
+}
+
+static struct demo_stage open_in_turn(const struct animation *a, struct ph_pose next[2])
+{
+    struct demo_stage s = demo_stage_open(&cube, 32, 32);
+    struct animation_stage *const stage = s.context.state;
+    stage->animation = a;
+    stage->next_pose = next;
+    s.context.clip_fps = 8;
+    return s;
+}
+
+static double z_of_frame(struct demo_stage *s, uint32_t frame)
+{
+    demo_stage_frame(s, frame);
+    const struct animation_stage *const stage = s->context.state;
+    return stage->pose[1].t.z / (double)ONE_Q24;
+}
+
+static void clips_in_turn_fade_into_each_other_while_they_end(void **state)
+{
+    static const struct ph_clip places_alone[] = {{"low", stand_tracks, 1, FX_ONE},
+                                                  {"rises", stand_tracks + 1, 1, 2 * FX_ONE},
+                                                  {"high", stand_tracks + 3, 1, FX_ONE}};
+    (void)state;
+    const struct animation a = {.rig = {nodes, 2},
+                                .clip = &places_alone[1],
+                                .clips = places_alone,
+                                .clip_count = 3,
+                                .cross_fade = FX_ONE / 4,
+                                .in_turn = true};
+    struct ph_pose next[2];
+    struct demo_stage s = open_in_turn(&a, next);
+    for (uint32_t i = 0; i < 80; i++) {
+        const uint32_t frame = i * 37 % 80; /* in any order */
+        assert_near(z_of_frame(&s, frame), z_in_turn(frame), 1e-3);
+        const uint32_t late = 26u * 123456789 + frame;
+        assert_near(z_of_frame(&s, late), z_in_turn(late), 1e-3);
+    }
+    assert_false(animation_select(&s.context));
+    assert_null(s.context.clip);
+    demo_stage_close(&s);
+}
+
+/* Clips of no length show for as long as a fade takes; without fades the last of them shows. */
+static void clips_of_no_length_take_turns_too(void **state)
+{
+    static const struct ph_clip two[] = {{"low", stand_tracks, 1, 0}, {"high", stand_tracks + 3, 1, 0}};
+    (void)state;
+    struct animation a = {
+        .rig = {nodes, 2}, .clip = two, .clips = two, .clip_count = 2, .cross_fade = FX_ONE / 2, .in_turn = true};
+    struct ph_pose next[2];
+    struct demo_stage s = open_in_turn(&a, next);
+    for (uint32_t frame = 0; frame < 40; frame++) {
+        const uint32_t f = frame % 8;
+        assert_near(z_of_frame(&s, frame), frame < 4 ? 0 : f < 4 ? 2 - f / 2. : (f - 4) / 2., 1e-3);
+    }
+    a.cross_fade = 0;
+    assert_near(z_of_frame(&s, 0), 2, 1e-3);
+    assert_near(z_of_frame(&s, 33), 2, 1e-3);
+    demo_stage_close(&s);
+}
+
+/* A stage of one clip has no room for the pose of another. */
+static void one_clip_has_none_to_take_turns_with(void **state)
+{
+    (void)state;
+    const struct animation a = {
+        .rig = {nodes, 2}, .clip = &clip, .clips = &clip, .clip_count = 1, .cross_fade = FX_ONE / 4, .in_turn = true};
+    struct demo_stage s = open_in_turn(&a, NULL);
+    assert_near(z_of_frame(&s, 4), 1.5, 1e-3);
+    assert_near(z_of_frame(&s, 15), 1.25, 1e-3);
+    assert_near(z_of_frame(&s, 20), 1.5, 1e-3);
+    demo_stage_close(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -524,6 +628,10 @@ int main(void)
         cmocka_unit_test(a_long_fade_takes_its_time),
         cmocka_unit_test(a_second_press_fades_on_from_where_it_is),
         cmocka_unit_test(the_oldest_of_four_clips_is_gone),
+        cmocka_unit_test(a_round_ends_when_the_last_clip_begins_to_end),
+        cmocka_unit_test(clips_in_turn_fade_into_each_other_while_they_end),
+        cmocka_unit_test(clips_of_no_length_take_turns_too),
+        cmocka_unit_test(one_clip_has_none_to_take_turns_with),
         cmocka_unit_test(a_clip_that_is_selected_begins_with_the_next_frame),
         cmocka_unit_test(frames_go_on_where_their_count_begins_anew),
     };

@@ -21,6 +21,7 @@ make_image firmware BOARD="$board" CORES="$cores" CLIP_FPS=30 >/dev/null || exit
 cp "$B/firmware/$made.elf" "$dir/a.elf" || exit 1
 "$B/pinhole-asset" tests/host-sim/asset/scene.gltf -o "$dir/scene.phs" --board "$board" || exit 1
 "$B/pinhole-asset" tests/host-sim/asset/moving.gltf -o "$dir/moving.phs" --board "$board" || exit 1
+"$B/pinhole-asset" tests/host-sim/asset/moving.gltf -o "$dir/turns.phs" --board "$board" --clip hold,sway || exit 1
 printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n' >"$dir/older.obj"
 "$B/pinhole-asset" "$dir/older.obj" -o "$dir/older.phs" 2>/dev/null || exit 1
 
@@ -49,6 +50,15 @@ select_goes_through_the_clips() {
         "$B/pinhole-sim" --model "$dir/moving.phs" --board "$board" --frames 14 --keys "$dir/keys" --crc >"$dir/expected" &&
         "$B/pinhole-sim" --model "$dir/moving.phs" --board "$board" --frames 14 --crc | head -n 3 | cmp - <(head -n 3 "$dir/expected") || return 1
     grep '^frame [0-9]* crc' "$dir/said" | diff - "$dir/expected" && grep -o '^\(demo\|clip\) [a-z]*' "$dir/said" | paste -sd, | grep -x 'demo moving,clip hold,demo turntable'
+}
+
+# hold plays until frame 7 (250 ms), then sway fades in until frame 15; 's' in frame 12 takes the first demo.
+clips_take_turns() {
+    printf '12 select\n' >"$dir/keys"
+    emulate "$dir/turns.phs" 14 --send 11:s >"$dir/said" && "$B/pinhole-sim" --model "$dir/turns.phs" --board "$board" --frames 14 --keys "$dir/keys" --crc >"$dir/expected" &&
+        "$B/pinhole-sim" --model tests/host-sim/asset/moving.gltf --clip hold,sway --board "$board" --frames 12 --crc | cmp - <(head -n 12 "$dir/expected") &&
+        [ "$("$B/pinhole-sim" --model "$dir/turns.phs" --clip hold --board "$board" --frames 12 --crc | grep -cxFf "$dir/expected")" = 8 ] || return 1
+    grep '^frame [0-9]* crc' "$dir/said" | diff - "$dir/expected" && grep -o '^\(demo\|clip\) [a-z]*' "$dir/said" | paste -sd, | grep -x 'demo moving,demo turntable'
 }
 
 own_demo() { # scene: the image's first frame is its own, and it says this, or (empty) nothing about a scene
@@ -86,6 +96,7 @@ interrupted_writes() {
 check "a scene in flash gives the simulator's frames" draws_the_simulators_frames "$dir/scene.phs" scene
 check "an animation in flash plays as in the simulator" plays_the_clip
 check "the select button fades into the next clip, and takes the next demo behind the last, as in the simulator" select_goes_through_the_clips
+check "clips that play in turn do so as in the simulator" clips_take_turns
 if [ -n "$MOMENTS" ]; then
     check "without one, or with a damaged one, the demos come, and the UART says why" damage_is_told
     check "a write that was interrupted leaves the demos ($MOMENTS moments)" interrupted_writes

@@ -164,6 +164,28 @@ clips_fade_into_each_other() {
     done
 }
 
+# Of each frame: s or h where sway or hold alone shows, and - within a fade.
+in_turn_shows() { # model, options: 56 frames, and a frame is the same whichever was drawn before it
+    "$B/pinhole-sim" --model "$@" --size 120x90 --frames 56 --crc >"$dir/turns" && "$B/pinhole-sim" --model "$@" --size 120x90 --start 46 --frames 10 --crc | cmp - <(tail -n 10 "$dir/turns") || return 1
+    paste -d' ' "$dir/sway" "$dir/hold" "$dir/turns" | awk '{ printf "%s", $12 == $4 ? "s" : $12 == $8 ? "h" : "-" }'
+}
+
+# The simulator, the C scene, the binary scene, and those with all clips, and in another order. sway lasts 1.49 s. hold, of
+# .23 s, has faded in when sway begins to do so again, at the time where sway alone repeats.
+clips_take_turns() {
+    local form shown
+    for form in sway hold; do "$B/pinhole-sim" --model "$moving" --clip $form --size 120x90 --frames 56 --crc >"$dir/$form" || return 1; done
+    "$asset" "$moving" -o "$dir/clips.phs" && "$asset" "$moving" -o "$dir/turns.phs" --clip sway,hold && "$asset" "$moving" -o "$dir/turns.c" --clip sway,hold && "$asset" "$moving" -o "$dir/back.phs" --clip hold,sway || return 1
+    for form in "$moving --clip sway,hold" "$dir/clips.phs --clip sway,hold" "$dir/turns.phs" "$dir/back.phs --clip sway,hold"; do
+        # shellcheck disable=SC2086 # a file and an option
+        shown=$(in_turn_shows $form) && echo "$form: $shown" && [ "$shown" = "$(printf 's%.0s' {0..37})---------------sss" ] || return 1
+    done
+    # shellcheck disable=SC2015 # a failure of any is one
+    shown=$(in_turn_shows "$dir/back.phs") && [ "${shown:0:9}" = "hhhhhhhh-" ] && [ "$(in_turn_shows "$dir/turns.phs" --clip hold)" = "$(printf 'h%.0s' {0..55})" ] || { echo "$shown" && return 1; }
+    compile "$dir/turns.c" "$dir/t" && "$dir/t" pico-display 56 1 | grep '^frame' | cut -d' ' -f4 | cmp - <("$B/pinhole-sim" --model "$dir/turns.phs" --board pico-display --frames 56 --crc | cut -d' ' -f4) &&
+        refuses 2 "no such clip; did you mean hold? it has sway, hold" "$moving" -o "$dir/n.phs" --clip sway,hoId && refuses 2 "names 'sway' twice" "$moving" -o "$dir/n.phs" --clip sway,hold,sway
+}
+
 rounding_is_reported() { # half a step: of positions in Q1.15, of times in 2^-16 s; rotations have 15 bits
     "$asset" "$moving" --report --board pico-display >"$dir/report" && cat "$dir/report" && grep -q '^motion  *8 nodes, 2 clips: sway .* plays, hold' "$dir/report" || return 1
     tr ',\n' '  ' <"$dir/report" | sed 's/.*rounding *//' | awk '{ exit !($1 == "positions" && $2 > 1e-5 && $2 <= 1.6e-5 && $5 == $2 && $0 ~ /of rotation 0\.00[1-4][0-9]* degrees/ && $0 ~ /times [4-7]\.?[0-9]*e-06 s/) }'
@@ -332,6 +354,7 @@ short "clang_and_arm_gcc_compile_it_and_its_size_is_as_reported" clang_and_arm_c
 long "so they do with an animation" clang_and_arm_compile_it "$moving"
 short "a clip is played by its name in every form" clips_are_played_by_name
 short "the select button fades into the next clip, as fast as --cross-fade says" clips_fade_into_each_other
+short "several clips play in turn in every form, whichever frame is drawn first" clips_take_turns
 short "the report says by how much 16-bit numbers are off" rounding_is_reported
 short "filters_are_in_the_file_and_change_the_picture" filters_are_in_the_file
 short "odd_names_stay_out_of_the_c_file" odd_names_stay_out_of_the_c_file

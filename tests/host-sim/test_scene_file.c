@@ -339,7 +339,7 @@ static struct scene_file_head *copy_with_camera(uint8_t *bytes)
 #define NO_FLAG "is broken: it has unknown flags"
 #define NO_LAMP "is broken: its lamp is none"
 
-KIND(an_unknown_flag, NO_FLAG, head->flags |= 8)
+KIND(an_unknown_flag, NO_FLAG, head->flags |= 16)
 KIND(a_name_without_an_end, NO_NAME, memset(head->name, 'x', SCENE_FILE_NAME))
 KIND(a_name_that_moves_the_cursor, NO_NAME, memcpy(head->name, "\033[2J", 5))
 KIND(no_mesh, "has no mesh", head->mesh_count = 0)

@@ -168,6 +168,10 @@ static void it_names_the_clips_and_how_numbers_were_rounded(void **state)
            "rounding   positions 0.011, morph targets 0.012, keys of translation 0.013 of the model's radius, of "
            "rotation 0.014 degrees,\n           of scale 0.015, of weights 0.016, their times 0.018 s, shares of "
            "joints 0.017, at most\n");
+    asset->model.motion->animation.in_turn = true;
+    report_of(asset, board_list[0]);
+    expect(" clips: stand (0.50 s), walk \"2/3\" (3.00 s), in turn\n");
+    asset->model.motion->animation.in_turn = false;
     asset->model.motion->animation.clip_count = 1;
     asset->model.motion->animation.clip = asset->model.motion->animation.clips;
     report_of(asset, board_list[0]);

@@ -267,6 +267,17 @@ static void a_rig_and_its_clips_are_written(void **state)
     }
 }
 
+static void clips_that_take_turns_are_a_flag_of_the_head(void **state)
+{
+    (void)state;
+    asset = made_asset(true);
+    const uint32_t flags = write_scene()->flags;
+    asset->model.motion->animation.in_turn = true;
+    assert_int_equal(write_scene()->flags, flags | SCENE_FILE_IN_TURN);
+    assert_null(scene_file_wrong(bytes, size));
+    assert_int_equal(flags & SCENE_FILE_IN_TURN, 0);
+}
+
 /* 39 characters of a name stay; a model whose first clip plays. */
 static void a_long_name_of_a_clip_is_cut(void **state)
 {
@@ -294,6 +305,7 @@ int main(void)
         cmocka_unit_test_teardown(textures_come_with_their_levels, drop),
         cmocka_unit_test_teardown(what_moves_is_written_with_its_mesh, drop),
         cmocka_unit_test_teardown(a_rig_and_its_clips_are_written, drop),
+        cmocka_unit_test_teardown(clips_that_take_turns_are_a_flag_of_the_head, drop),
         cmocka_unit_test_teardown(a_long_name_of_a_clip_is_cut, drop),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -63,6 +63,9 @@ static void the_rig_is_its_nodes_and_weights(void **state)
            "1073741824}}, {-9, -8, 9}},\n    .clip = &clips[1],\n    .clips = clips,\n"
            "    .clip_count = 2,\n    .cross_fade = 12345,\n    .meshes = moving,\n    .mesh_count = 3,\n"
            "    .weight_count = 3,\n    .rest_weights = rest_weights,\n};\n");
+    model->motion->animation.in_turn = true;
+    write_motion(model);
+    expect("    .cross_fade = 12345,\n    .in_turn = true,\n    .meshes = moving,\n");
 }
 
 static void skins_are_written_once(void **state)
