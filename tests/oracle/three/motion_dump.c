@@ -1,8 +1,8 @@
 /*
- * Usage: motion_dump FILE.gltf CLIP FRAMES
- * Prints where the middle of the model is in the file, how it is scaled, and for each frame of the clip the vertices of
- * each mesh that moves, and their normals: fit x y z scale FRAME MESH x y z nx ny nz ...     in LSB of Q16.16, and of
- * Q1.14
+ * Usage: motion_dump FILE.gltf CLIP FRAMES STEP
+ * Prints where the middle of the model is in the file, how it is scaled, and for every STEP-th of the frames the
+ * vertices of each mesh that moves, and their normals: fit x y z scale FRAME MESH x y z nx ny nz ...     in LSB of
+ * Q16.16, and of Q1.14
  */
 #include "model.h"
 
@@ -14,7 +14,7 @@ int main(int argc, char *argv[])
     static uint64_t memory[1 << 16];
     struct demo_arena arena = {.base = (uint8_t *)memory, .size = sizeof memory};
     struct model *model = NULL;
-    if (argc != 4 || model_open(&model, argv[1], NULL) != 0 || model_play(model, argv[2]) != 0) {
+    if (argc != 5 || model_open(&model, argv[1], NULL) != 0 || model_play(model, argv[2]) != 0) {
         return EXIT_FAILURE;
     }
     const struct animation *a = &model->motion->animation;
@@ -24,7 +24,8 @@ int main(int argc, char *argv[])
     }
     const double *centre = model->motion->centre;
     printf("fit %.17g %.17g %.17g %.17g\n", centre[0], centre[1], centre[2], model->motion->scale);
-    for (uint32_t frame = 0; frame < strtoul(argv[3], NULL, 10); frame++) {
+    const uint32_t frames = (uint32_t)strtoul(argv[3], NULL, 10), step = (uint32_t)strtoul(argv[4], NULL, 10);
+    for (uint32_t frame = 0; frame < frames; frame += step) {
         animation_move(stage, NULL, frame);
         for (uint32_t i = 0; i < a->mesh_count; i++) {
             printf("%u %u", (unsigned)frame, (unsigned)i);

@@ -1,13 +1,17 @@
 /*
- * Usage: node motion_file.mjs FILE.gltf SEED
+ * Usage: node motion_file.mjs FILE.gltf SEED [far]
  * Writes a glTF file whose parts move: a skinned tube of 4 joints (rotations in each interpolation, translations, scales
  * that are not 1, four joints a vertex), a tube on a chain of nodes that turn, a tube with two morph targets, and a
  * second skin of 9 joints, which are numbers of 16 bits, with two morph targets and eight joints a vertex.
  * Clips: `all`, `one key`, `none` (no length).
+ * far: numbers of any size. The file's unit is .01 to 100, and what all stands in is scaled as much again, and turned;
+ * scales reach from 0 to 4 and differ by axis, some change their sign, and targets move a vertex by as much as the mesh is
+ * high. Its clip is `all`.
  */
 import { writeFileSync } from 'node:fs'
 
-const [path, seedText] = process.argv.slice(2)
+const [path, seedText, kind] = process.argv.slice(2)
+const isFar = kind === 'far'
 let seed = Number(seedText)
 function any(low = -1, high = 1) { // mulberry32
   seed = (seed + 0x6d2b79f5) | 0
@@ -18,6 +22,14 @@ function any(low = -1, high = 1) { // mulberry32
 const turn = (most) => {
   const a = [any(), any(), any()], n = Math.hypot(...a), half = any(-most, most) / 2
   return [...a.map((v) => v / n * Math.sin(half)), Math.cos(half)]
+}
+
+const unit = isFar ? 10 ** any(-2, 2) : 1
+const lengths = (...v) => v.map((x) => x * unit)
+/* Scales between two numbers; far: some are 0, some reach to 4, and a node in three is turned inside out. */
+const scales = (low, high) => {
+  const three = [0, 1, 2].map(() => any(low, high))
+  return !isFar ? three : three.map((v) => any() < -.7 ? 0 : any() < 0 ? any(0, 4) : any() < -.4 ? -v : v)
 }
 
 const parts = [], accessors = [], bufferViews = []
@@ -59,7 +71,7 @@ function tube(x, skinned) {
   for (let ring = 0; ring < RINGS; ring++) {
     for (let k = 0; k < 4; k++) {
       const [dx, dz] = [[1, 0], [0, 1], [-1, 0], [0, -1]][k]
-      positions.push(x + .2 * dx, ring * .5, .2 * dz)
+      positions.push(...lengths(x + .2 * dx, ring * .5, .2 * dz))
       normals.push(dx, 0, dz)
       const at = ring / 2, low = Math.min(Math.floor(at), 2), share = at - low
       const four = [(1 - share) * 800, share * 800, 100, k === 0 ? 124 : 0].map(Math.round)
@@ -80,29 +92,31 @@ function tube(x, skinned) {
   if (skinned === 8) eight(attributes)
   return { attributes, indices: accessor(indices, 'SCALAR', 1, 5123, 34963) }
 }
-const shifts = () => accessor([...Array(RINGS * 12)].map(() => any(-.3, .3)), 'VEC3', 3, 5126, 34962)
+const shifts = (most) => accessor([...Array(RINGS * 12)].map(() => any(-most, most)), 'VEC3', 3, 5126, 34962)
+const target = () => ({ POSITION: shifts(isFar ? 3 * unit : .3), NORMAL: shifts(.3) })
 const meshes = [{ primitives: [tube(0, 4)] }, { primitives: [tube(0, 0)] },
-  { primitives: [{ ...tube(0, 0), targets: [{ POSITION: shifts(), NORMAL: shifts() }, { POSITION: shifts(), NORMAL: shifts() }] }], weights: [.25, -.5] },
-  { primitives: [{ ...tube(0, 8), targets: [{ POSITION: shifts(), NORMAL: shifts() }, { POSITION: shifts(), NORMAL: shifts() }] }], weights: [.125, .5] }]
+  { primitives: [{ ...tube(0, 0), targets: [target(), target()] }], weights: [.25, -.5] },
+  { primitives: [{ ...tube(0, 8), targets: [target(), target()] }], weights: [.125, .5] }]
 
 /* nodes: 0 .. 3 the joints, scaled by 100 and back as exporters do, 4 what is skinned, 5 .. 6 the box, 7 morphs,
  * 8 .. 16 the joints of the second skin, a chain, 17 what follows it and morphs */
 
 const nodes = [
-  { name: 'hip', translation: [-1.5, .1, .2], scale: [100, 100, 100], children: [1] },
-  { translation: [0, .01, 0], rotation: turn(.4), scale: [1.1, .9, 1], children: [2] },
-  { translation: [0, .01, 0], rotation: turn(.4), children: [3] },
-  { translation: [0, .01, 0], scale: [.8, .8, .8] },
-  { mesh: 0, skin: 0, translation: [7, 7, 7] },
-  { translation: [1, 0, 0], rotation: turn(2), children: [6] },
+  { name: 'hip', translation: lengths(-1.5, .1, .2), scale: [100, 100, 100], children: [1] },
+  { translation: lengths(0, .01, 0), rotation: turn(.4), scale: [1.1, .9, 1], children: [2] },
+  { translation: lengths(0, .01, 0), rotation: turn(.4), children: [3] },
+  { translation: lengths(0, .01, 0), scale: [.8, .8, .8] },
+  { mesh: 0, skin: 0, translation: lengths(7, 7, 7) },
+  { translation: lengths(1, 0, 0), rotation: turn(2), children: [6] },
   { mesh: 1, scale: [.5, .7, .6] },
-  { mesh: 2, translation: [2, .3, -.2] },
-  ...[...Array(9).keys()].map((k) => ({ translation: k === 0 ? [0, -.5, 2] : [0, .35, 0], ...(k < 8 ? { children: [9 + k] } : {}) })),
+  { mesh: 2, translation: lengths(2, .3, -.2) },
+  ...[...Array(9).keys()].map((k) => ({ translation: k === 0 ? lengths(0, -.5, 2) : lengths(0, .35, 0), ...(k < 8 ? { children: [9 + k] } : {}) })),
   { mesh: 3, skin: 1 },
+  ...(isFar ? [{ scale: [0, 0, 0].fill(10 ** any(-2, 2)), rotation: turn(3), translation: lengths(any(), any(), any()), children: [0, 4, 5, 7, 8, 17] }] : []),
 ]
-const bind = [0, 1, 2, 3].flatMap((k) => [.01, 0, 0, 0, 0, .01, 0, 0, 0, 0, .01, 0, 0, -.01 * k, 0, 1])
+const bind = [0, 1, 2, 3].flatMap((k) => [.01, 0, 0, 0, 0, .01, 0, 0, 0, 0, .01, 0, ...lengths(0, -.01 * k, 0), 1])
 const skins = [{ joints: [0, 1, 2, 3], inverseBindMatrices: accessor(bind, 'MAT4', 16), skeleton: 0 },
-  { joints: [...Array(9).keys()].map((k) => 8 + k), inverseBindMatrices: accessor([...Array(9).keys()].flatMap((k) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -.35 * k, 0, 1]), 'MAT4', 16) }]
+  { joints: [...Array(9).keys()].map((k) => 8 + k), inverseBindMatrices: accessor([...Array(9).keys()].flatMap((k) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...lengths(0, -.35 * k, 0), 1]), 'MAT4', 16) }]
 
 // ---- clips
 
@@ -116,7 +130,7 @@ function clip(name, n, length) {
     for (let k = 0; k < n; k++) {
       const keys = value()
       width = path === 'weights' ? 1 : keys.length
-      const slope = () => keys.map(() => any(-.3, .3) * (path === 'translation' && node < 4 ? .01 : 1))
+      const slope = () => keys.map(() => any(-.3, .3) * (path === 'translation' ? (node < 4 ? .01 : 1) * unit : 1))
       list.push(...(parts === 3 ? [...slope(), ...keys, ...slope()] : keys))
     }
     samplers.push({ input: times(n, length), output: accessor(list, { 1: 'SCALAR', 3: 'VEC3', 4: 'VEC4' }[width], width), interpolation })
@@ -125,18 +139,18 @@ function clip(name, n, length) {
   add(0, 'rotation', 'LINEAR', () => turn(1))
   add(1, 'rotation', 'CUBICSPLINE', () => turn(1))
   add(2, 'rotation', 'STEP', () => turn(1))
-  add(2, 'translation', 'CUBICSPLINE', () => [any(-.002, .002), .01, any(-.002, .002)])
-  add(3, 'scale', 'LINEAR', () => [any(.5, 1.1), any(.5, 1.1), any(.5, 1.1)])
+  add(2, 'translation', 'CUBICSPLINE', () => lengths(any(-.002, .002), .01, any(-.002, .002)))
+  add(3, 'scale', 'LINEAR', () => scales(.5, 1.1))
   add(5, 'rotation', 'LINEAR', () => turn(3))
-  add(6, 'translation', 'LINEAR', () => [any(), any(), any()])
-  add(6, 'scale', 'CUBICSPLINE', () => [any(.4, .6), any(.6, .8), any(.5, .7)])
+  add(6, 'translation', 'LINEAR', () => lengths(any(), any(), any()))
+  add(6, 'scale', 'CUBICSPLINE', () => isFar ? scales(.4, .8) : [any(.4, .6), any(.6, .8), any(.5, .7)])
   add(7, 'weights', 'LINEAR', () => [any(), any()])
   for (let k = 8; k < 17; k += 2) add(k, 'rotation', 'LINEAR', () => turn(.5))
-  add(10, 'scale', 'LINEAR', () => [any(.7, 1.2), any(.7, 1.2), any(.7, 1.2)])
+  add(10, 'scale', 'LINEAR', () => scales(.7, 1.2))
   add(17, 'weights', 'LINEAR', () => [any(), any()])
   return { name, samplers, channels }
 }
-const animations = [clip('all', 6, 2.5), clip('one key', 1, 1), clip('none', 1, 0)]
+const animations = isFar ? [clip('all', 6, 2.5)] : [clip('all', 6, 2.5), clip('one key', 1, 1), clip('none', 1, 0)]
 
 const buffers = [{ byteLength: bytes, uri: `data:application/octet-stream;base64,${Buffer.concat(parts).toString('base64')}` }]
-writeFileSync(path, JSON.stringify({ asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0, 4, 5, 7, 8, 17] }], nodes, meshes, skins, animations, accessors, bufferViews, buffers }))
+writeFileSync(path, JSON.stringify({ asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: isFar ? [18] : [0, 4, 5, 7, 8, 17] }], nodes, meshes, skins, animations, accessors, bufferViews, buffers }))
