@@ -185,16 +185,21 @@ static void put_value(FILE *file, long double value, fx_t code)
     fprintf(file, " %.12Lg %ld %+.3Lf\n", value, (long)code, (long double)code - value * FX_ONE);
 }
 
+long double sim_fraction_real(struct sim_fraction a)
+{
+    const long double size = real_of(a.over) / real_of(a.under);
+    return a.is_negative ? -size : size;
+}
+
 void sim_fraction_print(FILE *file, const char *name, struct sim_fraction exact, fx_t code)
 {
-    const long double size = real_of(exact.over) / real_of(exact.under);
     fprintf(file, "%s %s", name, exact.is_negative ? "-" : "");
     put_wide(file, exact.over);
     if (exact.under.high != 0 || exact.under.low != 1) {
         fputc('/', file);
         put_wide(file, exact.under);
     }
-    put_value(file, exact.is_negative ? -size : size, code);
+    put_value(file, sim_fraction_real(exact), code);
 }
 
 void sim_decimal_print(FILE *file, const char *name, long double value, fx_t code)

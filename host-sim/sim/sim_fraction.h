@@ -37,6 +37,9 @@ bool sim_fraction_is_0(struct sim_fraction a);
 /* The nearest Q16.16, half a step away from 0; it saturates. */
 fx_t sim_fraction_code(struct sim_fraction a);
 
+/* The value, to as many digits as a long double has. */
+long double sim_fraction_real(struct sim_fraction a);
+
 /* Prints the line. */
 void sim_fraction_print(FILE *file, const char *name, struct sim_fraction exact, fx_t code);
 

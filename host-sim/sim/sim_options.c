@@ -332,7 +332,9 @@ static const struct option_row rows[] = {
      "prints a vertex at every stage with the camera of the first frame: object, world, view, clip, ndc, pixel; each\n"
      "        number as an exact fraction, a decimal, Pinhole's code in steps of 1/65536, and its error in such "
      "steps;\n"
-     "        and its code in each depth format",
+     "        and its code in each depth format. With a fisheye, after view: distance from the eye, angle off the "
+     "view\n"
+     "        direction, scale in pixels per radian, radius = angle times scale, pixel",
      "three numbers", .set = set_point},
     {"object", "X,Y,Z[,target=X,Y,Z]",
      "where the object of --point stands, and what its z axis points at, as an object's lookAt does; --matrix prints\n"
@@ -413,9 +415,6 @@ static int check_camera(const struct sim_options *o)
     }
     if (o->object_set && !o->matrix && !o->point_set) {
         return complain_usage("--object: of what? give --point or --matrix");
-    }
-    if (o->projection == OPTION_FISHEYE && o->point_set) {
-        return complain_usage("--point: a fisheye has no matrix; choose another --projection");
     }
     if (o->flatten != NULL && !o->matrix && !o->point_set) {
         return complain_usage("--flatten: is printed with --matrix or --point; give one, too");

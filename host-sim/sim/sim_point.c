@@ -1,8 +1,12 @@
 /* See sim_point.h. */
 #include "sim_point.h"
 
+#include "fx_math.h"
 #include "lab_probe.h"
+#include "sim_fisheye.h"
 #include "sim_fraction.h"
+
+#include <math.h>
 
 struct place {
     struct sim_fraction c[4];
@@ -90,9 +94,73 @@ static struct place written(struct place place, bool left_handed)
     return place;
 }
 
-int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view,
-                    const struct ph_projection *projection, uint16_t width, uint16_t height,
-                    struct sim_matrix_writing writing)
+/* A vertex before the lens, which all lenses share: Pinhole's codes in the convention, and the exact values in our
+ * coordinates. */
+struct seen {
+    struct ph_vec4 object_code, world_code, view_code;
+    struct place object, world, camera;
+};
+
+static struct seen seen_of(struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view,
+                           struct sim_matrix_writing writing)
+{
+    const struct ph_mat4 place_matrix = ph_mat4_xform(object), view_matrix = sim_matrix_of_view(view, writing);
+    struct seen s = {.object_code = {point.x, point.y, point.z, FX_ONE},
+                     .object = {{sim_fraction_of(point.x, 16), sim_fraction_of(point.y, 16),
+                                 sim_fraction_of(point.z, 16), sim_fraction_of(1, 0)}}};
+    s.world_code = ph_mat4_apply(&place_matrix, s.object_code);
+    s.world_code.z = writing.left_world ? fx_neg_sat(s.world_code.z) : s.world_code.z;
+    s.view_code = ph_mat4_apply(&view_matrix, s.world_code);
+    s.world = moved(object, &s.object);
+    s.camera = moved(view, &s.world);
+    return s;
+}
+
+static void put_seen(FILE *file, const struct seen *s, struct sim_matrix_writing writing)
+{
+    const struct place world = written(s->world, writing.left_world),
+                       camera = written(s->camera, writing.convention == PH_D3D);
+    put_stage(file, "object", &s->object, &s->object_code, 3);
+    put_stage(file, "world", &world, &s->world_code, 3);
+    put_stage(file, "view", &camera, &s->view_code, 3);
+}
+
+#define DEGREES_PER_RADIAN 3754936 /* Q16.16 */
+
+/* A fisheye's stages behind the camera. Angles have no fractions. The core takes no angle: codes of it are what the
+ * place in the picture says. */
+static int print_fisheye(FILE *file, const struct seen *s, const struct ph_projection *p, uint16_t width,
+                         uint16_t height, struct sim_matrix_writing writing)
+{
+    const struct ph_vec4 *const v = &s->view_code;
+    const struct fx_vec3 at = {v->x, v->y, writing.convention == PH_D3D ? fx_neg_sat(v->z) : v->z};
+    struct sim_fisheye code;
+    if (!sim_fisheye_place(p, width, height, at, &code)) {
+        return PH_ERR_RANGE;
+    }
+    const long double x = sim_fraction_real(s->camera.c[0]), y = sim_fraction_real(s->camera.c[1]),
+                      z = sim_fraction_real(s->camera.c[2]), aside = hypotl(x, y), angle = atan2l(aside, -z);
+    const struct sim_fraction scale =
+        sim_fraction_times(sim_fraction_of(p->scale_y_q20, 20), sim_fraction_of(height, 1));
+    const long double radius = angle * sim_fraction_real(scale), per_length = aside > 0 ? radius / aside : 0;
+    const fx_t across = code.x - code.centre_x, down = code.y - code.centre_y, radius_code = fx_hypot_sat(across, down),
+               radians = fx_div_sat(radius_code, code.scale);
+    const bool upwards = writing.convention == PH_LMU;
+    put_seen(file, s, writing);
+    sim_decimal_print(file, "distance", hypotl(aside, z), fx_hypot_sat(fx_hypot_sat(at.x, at.y), at.z));
+    sim_decimal_print(file, "angle.degrees", angle * 180 / acosl(-1), fx_mul_sat(radians, DEGREES_PER_RADIAN));
+    sim_decimal_print(file, "angle.radians", angle, radians);
+    sim_fraction_print(file, "angle.scale", scale, code.scale);
+    sim_decimal_print(file, "radius", radius, radius_code);
+    sim_decimal_print(file, "pixel.x", width / 2.0L + x * per_length, code.x);
+    sim_decimal_print(file, "pixel.y", height / 2.0L + (upwards ? y : -y) * per_length,
+                      upwards ? FX_INT(height) - code.y : code.y);
+    return 0;
+}
+
+/* The stages behind the camera of a lens that is a matrix. */
+static int print_matrix_lens(FILE *file, const struct seen *s, const struct ph_projection *projection, uint16_t width,
+                             uint16_t height, struct sim_matrix_writing writing)
 {
     const enum ph_convention convention = writing.convention;
     const struct sim_fraction half = sim_fraction_of(1, 1), one = sim_fraction_of(1, 0);
@@ -101,28 +169,16 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
     if (status != 0) {
         return status;
     }
-    const struct ph_mat4 place_matrix = ph_mat4_xform(object), view_matrix = sim_matrix_of_view(view, writing),
-                         viewport = ph_matrix_viewport(width, height, convention);
-    /* Pinhole's own codes */
-    const struct ph_vec4 at = {point.x, point.y, point.z, FX_ONE};
-    struct ph_vec4 in_world = ph_mat4_apply(&place_matrix, at);
-    in_world.z = writing.left_world ? fx_neg_sat(in_world.z) : in_world.z;
-    const struct ph_vec4 in_view = ph_mat4_apply(&view_matrix, in_world), clip = ph_mat4_apply(&lens, in_view);
-    if (clip.w == 0) {
+    const struct ph_mat4 viewport = ph_matrix_viewport(width, height, convention);
+    const struct ph_vec4 clip = ph_mat4_apply(&lens, s->view_code);
+    const struct place exact_clip = clipped(projection, convention, &s->camera);
+    if (clip.w == 0 || sim_fraction_is_0(exact_clip.c[3])) {
         return PH_ERR_RANGE;
     }
     const struct ph_vec4 ndc = {fx_div_sat(clip.x, clip.w), fx_div_sat(clip.y, clip.w), fx_div_sat(clip.z, clip.w),
                                 FX_ONE};
     const struct ph_vec4 pixel = ph_mat4_apply(&viewport, ndc);
-    /* the exact values */
-    const struct place exact = {
-        {sim_fraction_of(point.x, 16), sim_fraction_of(point.y, 16), sim_fraction_of(point.z, 16), one}};
-    const struct place world = moved(object, &exact), camera = moved(view, &world);
-    const struct place exact_clip = clipped(projection, convention, &camera);
     struct place exact_ndc = exact_clip, exact_pixel;
-    if (sim_fraction_is_0(exact_clip.c[3])) {
-        return PH_ERR_RANGE;
-    }
     for (int i = 0; i < 3; i++) {
         exact_ndc.c[i] = sim_fraction_divide(exact_clip.c[i], exact_clip.c[3]);
     }
@@ -131,15 +187,26 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
         sim_fraction_times(sim_fraction_times(sim_fraction_add(exact_ndc.c[0], one), half), sim_fraction_of(width, 0));
     exact_pixel.c[1] =
         sim_fraction_times(sim_fraction_times(sim_fraction_add(up, one), half), sim_fraction_of(height, 0));
-    const struct place shown_world = written(world, writing.left_world), shown = written(camera, convention == PH_D3D);
-    put_stage(file, "object", &exact, &at, 3);
-    put_stage(file, "world", &shown_world, &in_world, 3);
-    put_stage(file, "view", &shown, &in_view, 3);
+    put_seen(file, s, writing);
     put_stage(file, "clip", &exact_clip, &clip, 4);
     put_stage(file, "ndc", &exact_ndc, &ndc, 3);
     put_stage(file, "pixel", &exact_pixel, &pixel, 2);
-    put_depths(file, projection, fx_neg_sat(ph_xform_point(view, ph_xform_point(object, point)).z));
     return 0;
+}
+
+int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view,
+                    const struct ph_projection *projection, uint16_t width, uint16_t height,
+                    struct sim_matrix_writing writing)
+{
+    const struct seen s = seen_of(point, object, view, writing);
+    if (projection->kind == PH_FISHEYE) {
+        return print_fisheye(file, &s, projection, width, height, writing);
+    }
+    const int status = print_matrix_lens(file, &s, projection, width, height, writing);
+    if (status == 0) {
+        put_depths(file, projection, fx_neg_sat(ph_xform_point(view, ph_xform_point(object, point)).z));
+    }
+    return status;
 }
 
 void sim_point_flatten(FILE *file, struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view,

@@ -37,13 +37,16 @@ static int print_camera(const struct sim_options *o, FILE *file, const struct si
     if (status == 0 && o->point_set && o->flatten != NULL) {
         sim_point_flatten(file, o->point, &o->object, &camera->view, &o->flat, writing);
     }
+    if (status == PH_ERR_RANGE && lens->kind == PH_FISHEYE) {
+        return complain_usage("--point: the fisheye does not see it: it is nearer than near, beyond far, more than 170 "
+                              "degrees off the view direction, or over 2048 pixels off the centre");
+    }
     if (status == PH_ERR_RANGE) {
         return complain_usage(o->point_set ? "--point: a number does not fit, or w is 0: the point lies beside the eye"
                                            : "--matrix: an element does not fit Q16.16; move --near and --far apart");
     }
-    return status == 0
-               ? 0
-               : complain_usage("--matrix, --point, --frustum: this demo's camera has no matrix; give a --projection");
+    return status == 0 ? 0
+                       : complain_usage("--matrix, --frustum: this demo's camera has no matrix; give a --projection");
 }
 
 int sim_tell_cameras(const struct sim_options *o, FILE *file, struct sim_player *p, struct sim_matrix_writing writing)

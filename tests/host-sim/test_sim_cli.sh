@@ -772,7 +772,7 @@ of which matrix|--anyway --crc
 does not fit fixed point|--anyway --camera eye=0,0,5 --projection-matrix 9000,0,0,0,0,2,0,0,0,0,2,0,0,0,-1,0 --crc
 --point|--point 1,2
 --point|--point 1,2,3,
-a fisheye has no matrix|--projection fisheye --point 1,2,3
+the fisheye does not see it|--projection fisheye --camera eye=0,0,5 --point 0,0,5
 beside the eye|--camera eye=0,0,5 --point 1,0,5
 --object: of what|--object 1,2,3 --crc
 --object|--object 1,2 --matrix

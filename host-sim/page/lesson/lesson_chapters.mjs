@@ -32,7 +32,7 @@ const chapterRows = {
         ['Equation 4.10', 'Similar triangles', 'Halve the focal length: y halves. Move the point to half of its distance: y doubles.', `size=100x100 focal=2,2 ${usualPoint}`],
         ['Equation 4.11', 'w = z', 'The last row copies z into w. Move the point further away, and watch the division by it.', `${atOrigin} flatten=kaist-4.11 point=2,4,-4`],
         ['Figure 4.6', 'The vanishing point', 'The point lies on a rail. Move it along z from -10 to -99: its pixel comes near to the middle, and never gets there.', `size=100x100 fov=90 ${atOrigin} point=1,-1,-10`],
-        ['4.2.2 Common Questions', 'The bug\'s eye', 'A fisheye is no matrix: edges become curves. Change the field of view up to 240 degrees.', 'demo=fisheye size=240x180 projection=fisheye fov=180'],
+        ['4.2.2 Common Questions', 'The bug\'s eye', 'A fisheye is no matrix: edges become curves. The radius is the angle times a scale. Change the field of view up to 240 degrees, and take the vertex behind the eye: 3,0,3.', 'demo=fisheye size=240x180 projection=fisheye fov=180 camera=eye=0,0,0,target=0,0,-1 point=3,0,-3'],
         ['4.2.2 Common Questions', 'Depth of field', 'What is far from the focal depth is blurred, by its depth. Let the frames go on: the focus wanders along the row.', 'demo=focus'],
     ],
     EECE: [

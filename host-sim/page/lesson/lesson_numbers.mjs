@@ -1,6 +1,6 @@
 // lesson_numbers: what pinhole-sim prints of a camera, read, and shown as tables and matrices.
 
-const LESSON_KINDS = { object: 'object', world: 'world', view: 'view', clip: 'clip', ndc: 'after the divide', pixel: 'pixel', depth: 'depth code' };
+const LESSON_STAGES = ['object', 'world', 'view', 'clip', 'ndc', 'distance', 'angle', 'radius', 'pixel', 'depth'];
 
 // Reads what --matrix factors, --point and --frustum print: { matrices: { name: 4 rows of 4 texts }, lines: { label: [fraction,
 // decimal, code, error] } }. A depth has a code and its share. Of several cameras it is the first.
@@ -53,7 +53,7 @@ function lessonTable(caption, labels) {
     })) };
 }
 
-const isLessonStage = (label) => LESSON_KINDS[label.split('.')[0]] !== undefined;
+const isLessonStage = (label) => LESSON_STAGES.includes(label.split('.')[0]);
 
 // Shows the lines in two elements: the vertex at every stage, and all else. The tables are made again only where other lines are.
 export function makeLessonLines(stages, others) {

@@ -46,15 +46,10 @@ export function setLessonOption(state, kept, name, value) {
     }
 }
 
-// The command line: the state, and what prints its numbers; a fisheye has no matrix, and no stages.
+// The command line: the state, and what prints its numbers; a fisheye has no matrix.
 export function lessonWords(state) {
-    const fisheye = state.get('projection') === 'fisheye', words = [];
-    for (const [name, value] of state) {
-        if (!fisheye || name !== 'point') {
-            words.push(`--${name}`, ...(LESSON_FLAGS.includes(name) ? [] : [value]));
-        }
-    }
-    return [...words, ...(fisheye ? [] : ['--matrix', 'factors']), '--crc'];
+    const words = [...state].flatMap(([name, value]) => [`--${name}`, ...(LESSON_FLAGS.includes(name) ? [] : [value])]);
+    return [...words, ...(state.get('projection') === 'fisheye' ? [] : ['--matrix', 'factors']), '--crc'];
 }
 
 export function lessonCommand(words) {

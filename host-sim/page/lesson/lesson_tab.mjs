@@ -52,7 +52,7 @@ export function openLesson(startAnother) {
     // The vertex as a cross on the glass, from the pixel that was printed.
     const showCross = ({ lines }) => {
         const [width, height] = size, x = lines['pixel.x'], y = lines['pixel.y'], w = lines['clip.w'];
-        const before = w && (w[1] > 0) === (convention() !== 'lmu' || lines.w1 === undefined);
+        const before = lines.radius || (w && (w[1] > 0) === (convention() !== 'lmu' || lines.w1 === undefined)); // a fisheye sees all around
         const left = x && x[1] / width, top = y && (convention() === 'lmu' ? 1 - y[1] / height : y[1] / height);
         input('cross').hidden = !before || !(left >= 0 && left <= 1 && top >= 0 && top <= 1);
         input('cross').style.left = `${left * 100}%`;
@@ -69,13 +69,14 @@ export function openLesson(startAnother) {
     // Runs the words. Where the camera can be drawn and a number cannot be printed, the words that ask for it are left out, so
     // that the command draws, too; the message stays.
     const run = () => {
-        const all = lessonWords(state), point = state.get('point');
+        const all = lessonWords(state), point = ['--point', state.get('point')];
+        const matrix = ['--matrix', 'factors', '--flatten', state.get('flatten'), '--frustum', state.get('frustum')];
         let result = null, said = '';
-        for (const without of [[], ['--point', point], ['--point', point, '--matrix', 'factors', '--flatten', state.get('flatten'), '--frustum', state.get('frustum')]]) {
+        for (const without of [[], point, matrix, [...point, ...matrix]]) {
             words = all.filter((word) => !without.includes(word));
             result = core.run(words);
             said = said === '' ? result.wrong : said;
-            if (!/^--(matrix|point): /m.test(result.wrong)) {
+            if (!/^--(matrix|point)[:,] /m.test(result.wrong)) {
                 break;
             }
         }

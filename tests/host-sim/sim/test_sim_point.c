@@ -145,12 +145,71 @@ static void a_point_beside_the_eye_has_no_picture(void **state)
 {
     (void)state;
     const int p[3] = {1, 0, 0};
-    struct ph_projection lens = {.scale_x_q20 = 1 << 20, .scale_y_q20 = 1 << 20, .near_z = FX_ONE, .far_z = FX_INT(9)};
+    const struct ph_projection lens = {
+        .scale_x_q20 = 1 << 20, .scale_y_q20 = 1 << 20, .near_z = FX_ONE, .far_z = FX_INT(9)};
     const struct sim_matrix_writing gl = {PH_GL, false};
     assert_int_equal(print(whole(p), &ph_xform_identity, &ph_xform_identity, &lens, gl), PH_ERR_RANGE);
-    lens.kind = PH_FISHEYE;
-    assert_int_equal(print(whole(p), &ph_xform_identity, &ph_xform_identity, &lens, gl), PH_ERR_INVAL);
     assert_string_equal(printed, "");
+}
+
+/* Reads a line that has no fraction. */
+static void read_decimal(const char *name, double *decimal, double *code)
+{
+    char label[32];
+    snprintf(label, sizeof label, "\n%s - ", name);
+    const char *const line = strstr(printed, label);
+    assert_non_null(line);
+    assert_int_equal(sscanf(line + strlen(label), "%lf %lf", decimal, code), 2);
+}
+
+static void expect_decimal(const char *name, double exact, double within, double code_within)
+{
+    double decimal, code;
+    read_decimal(name, &decimal, &code);
+    if (fabs(decimal - exact) > within || fabs(code / 65536 - exact) > code_within) {
+        fail_msg("%s is %.9f, code %.9f, not %.9f", name, decimal, code / 65536, exact);
+    }
+}
+
+/* On 100 lines: the radius is the angle's share of the field of view, times 100 px. The lens holds that scale
+ * within 2^-20 of itself, and places are within 1/256 px. */
+static void a_fisheye_has_the_angle_for_its_radius(void **state)
+{
+    (void)state;
+    const double pi = acos(-1);
+    uint32_t seen = 0;
+    for (int i = 0; i < 4000; i++) {
+        const int x = (int)ref_uniform(-9, 9), y = (int)ref_uniform(-9, 9), z = (int)ref_uniform(-9, 9);
+        const int fov = (int)ref_uniform(40, 240), p[3] = {x, y, z + 5};
+        const enum ph_convention convention = (enum ph_convention)(i % 4);
+        const double aside = hypot(x, y), away = hypot(aside, z), angle = atan2(aside, -z);
+        const struct ph_xform view = ph_xform_translate(0, 0, FX_INT(-5));
+        struct ph_projection lens;
+        assert_int_equal(ph_projection_fisheye(&lens, FX_INT(fov), FX_ONE, FX_INT(9)), 0);
+        const bool is_near = away<1, is_far = away> 9, is_behind = angle > 170 * pi / 180;
+        const int status =
+            print(whole(p), &ph_xform_identity, &view, &lens, (struct sim_matrix_writing){convention, false});
+        assert_int_equal(status, is_near || is_far || is_behind ? PH_ERR_RANGE : 0);
+        if (status != 0) {
+            assert_string_equal(printed, "");
+            continue;
+        }
+        seen++;
+        const double scale = 100 / (fov * pi / 180), radius = angle * scale, per = aside > 0 ? radius / aside : 0;
+        const double held = 4e-6 * (1 + radius), drawn = held + 1.0 / 256;
+        expect("object.z", z + 5, 1, 0);
+        expect("view.z", convention == PH_D3D ? -z : z, 1, 0);
+        expect("angle.scale", lens.scale_y_q20 * (int64_t)50, 1 << 20, 32);
+        expect_decimal("distance", away, 1e-9, 1.0 / 65536);
+        expect_decimal("angle.degrees", angle * 180 / pi, 1e-9, drawn / scale * 180 / pi);
+        expect_decimal("angle.radians", angle, 1e-9, drawn / scale);
+        expect_decimal("radius", radius, held, drawn);
+        expect_decimal("pixel.x", 100 + x * per, held, drawn);
+        expect_decimal("pixel.y", 50 + (convention == PH_LMU ? y : -y) * per, held, drawn);
+        assert_null(strstr(printed, "clip"));
+        assert_null(strstr(printed, "depth"));
+    }
+    assert_in_range(seen, 1000, 3500);
 }
 
 static void flatten(const int p[3], const struct ph_mat4 *flat, enum ph_convention convention)
@@ -192,6 +251,7 @@ int main(void)
         cmocka_unit_test(every_stage_is_the_documents_fraction),
         cmocka_unit_test(an_object_that_looks_turns_its_point),
         cmocka_unit_test(a_point_beside_the_eye_has_no_picture),
+        cmocka_unit_test(a_fisheye_has_the_angle_for_its_radius),
         cmocka_unit_test(a_flattened_point_is_divided_by_its_w),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
