@@ -271,6 +271,7 @@ $(B)/pinhole-depth: override LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_
 $(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_frame_begin,--defsym=__wrap_ph_frame_begin=sim_cameras_frame_begin # sim_cameras.c records
 $(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_frame_camera,--defsym=__wrap_ph_frame_camera=sim_cameras_frame_camera # what cameras a demo has
 $(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=sim_cameras_draw_mesh # and where its meshes are
+$(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=ph_blur_begin,--defsym=__wrap_ph_blur_begin=sim_focus_blur_begin # sim_focus.c sets the depth of field
 $(B)/pinhole-sim: override LDFLAGS += -Wl,--wrap=demo_draw_band,--defsym=__wrap_demo_draw_band=sim_show_draw_band # sim_show.c shows the depth buffer
 
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)

@@ -71,6 +71,13 @@ struct ph_blur {
 int ph_blur_begin(struct ph_blur *blur, const struct ph_renderer *r, void *scratch, size_t bytes,
                   const struct ph_focus *focus);
 
+/*
+ * The blur at a distance: its radius in 1/16 px, rounded down, positive before the focal plane. A pixel there may have
+ * 1/16 px less or more, because its depth code is rounded.
+ * In:     blur has begun; z, from the near to the far plane, is a distance along the view (fisheye: from the eye).
+ */
+int32_t ph_blur_at(const struct ph_blur *blur, fx_t z);
+
 /* Gives band number `band` as ph_draw_band does: call it for all bands in order, each once. Returns its lines. */
 uint32_t ph_blur_band(struct ph_blur *blur, struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 

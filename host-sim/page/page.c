@@ -6,6 +6,7 @@
 #include "crc32.h"
 #include "scene_file.h"
 #include "sim_choose.h"
+#include "sim_focus.h"
 #include "sim_list.h"
 #include "sim_model.h"
 #include "sim_show.h"
@@ -80,6 +81,7 @@ int page_open(int board, unsigned width, unsigned height, int demo, unsigned vie
                                            .cure = demo < 0 ? "take fewer triangles" : NULL,
                                            .view = scene->views != NULL ? scene->views[view] : NULL};
     sim_show_depth(false);
+    sim_focus_set(0, -1);
     return sim_player_open(&page.player, &setup);
 }
 
@@ -116,6 +118,9 @@ int page_run(uint32_t count)
     struct sim_options o;
     close_kit();
     int status = open_words(count, &o);
+    if (status == 0) {
+        sim_focus_set(o.focus, o.focus_strength);
+    }
     if (status == 0 && (o.matrix || o.point_set || o.frustum_z != 0)) {
         sim_tell_cameras(&o, stdout, &page.player, page.choice.writing);
         fflush(stdout);

@@ -13,6 +13,7 @@
 #include "progress.h"
 #include "signal_stop.h"
 #include "sim_choose.h"
+#include "sim_focus.h"
 #include "sim_list.h"
 #include "sim_show.h"
 #include "sim_tell.h"
@@ -247,6 +248,7 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
     const bool drawn =
         o->out != NULL || o->crc || o->stats || o->check != NULL || o->show_window; /* --matrix alone draws none */
     const bool listed = o->stats || (o->crc && (stage->out.kind == FRAME_OUT_STREAM || isatty(STDOUT_FILENO)));
+    sim_focus_set(o->focus, o->focus_strength);
     const bool bar = drawn && !listed && !o->show_window; /* lines about frames where the bar would be tell enough */
     int status = o->matrix || o->point_set || o->frustum_z != 0
                      ? sim_tell_cameras(o, report_file(&stage->out), p, stage->chosen->choice.writing)

@@ -176,6 +176,9 @@ int sim_choose_view(const struct sim_options *o, struct sim_player_setup *setup)
 {
     char names[200];
     setup->view = o->view;
+    if (o->focus != 0 && setup->demo->blur_radius == 0) {
+        return complain_usage("--focus: %s has no depth of field; --demo focus has", setup->demo->name);
+    }
     if (o->view == NULL || demo_has_view(setup->demo, o->view)) {
         return 0;
     }

@@ -83,6 +83,18 @@ static bool set_frustum(void *to, const char *value)
     return *value == '\0';
 }
 
+static bool set_focus(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    if (!option_text_fx(value, &o->focus, &value) || o->focus <= 0) {
+        return false;
+    }
+    if (*value == ',' && (!option_text_fx(value + 1, &o->focus_strength, &value) || o->focus_strength < 0)) {
+        return false;
+    }
+    return *value == '\0' && o->focus_strength <= FX_INT(64);
+}
+
 static bool set_parent(void *to, const char *value)
 {
     struct sim_options *o = to;
@@ -346,6 +358,11 @@ static const struct option_row rows[] = {
      "fills\n"
      "        the camera's own",
      "a distance, more than 0, and, optionally, a comma and a height, more than 0", .set = set_frustum},
+    {"focus", "D[,STRENGTH]",
+     "the depth of field of a scene that has one (focus): D is the distance in focus, STRENGTH the radius in pixels\n"
+     "        of the blur of what is infinitely far away. What is at the distance Z has a blur of the diameter\n"
+     "        2 STRENGTH |1 - D / Z|; --point and --frustum print it, and the aperture of the lens that blurs so",
+     "a distance, more than 0, and, optionally, a comma and 0 .. 64 pixels", .set = set_focus},
     {"flatten", "kaist-4.7|kaist-4.11|eece=D|plane=X,Y,Z,D",
      "prints `flatten` with --matrix, and with --point what it makes of the point: a matrix that drops the depth, in\n"
      "        parallel (KAIST 4.7), by w = z (4.11) or w = z / D (EECE 478), or that projects from the eye onto the\n"
@@ -477,6 +494,7 @@ int sim_options_read(struct sim_options *o, int argc, char *const argv[])
 {
     *o = (struct sim_options){
         .image_height = 2 * FX_ONE,
+        .focus_strength = -1,
         .object = ph_xform_identity,
         .near_z = FX_HALF,
         .far_z = FX_INT(100),

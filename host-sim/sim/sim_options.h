@@ -50,6 +50,8 @@ struct sim_options {
     struct ph_xform object; /* --object: where it stands */
     fx_t frustum_z;         /* --frustum: a distance; 0: not given */
     fx_t frustum_height;    /* 0: not given */
+    fx_t focus;             /* --focus: a distance; 0: not given */
+    fx_t focus_strength;    /* below 0: not given */
     bool parent_set;
     uint32_t parent; /* number of a mesh of the frame */
 

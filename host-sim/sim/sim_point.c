@@ -209,6 +209,12 @@ int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *obj
     return status;
 }
 
+struct sim_fraction sim_point_away(struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view)
+{
+    const struct seen s = seen_of(point, object, view, (struct sim_matrix_writing){PH_GL, false});
+    return sim_fraction_minus(s.camera.c[2]);
+}
+
 void sim_point_flatten(FILE *file, struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view,
                        const struct ph_mat4 *flat, struct sim_matrix_writing writing)
 {

@@ -12,6 +12,7 @@
 #ifndef SIM_POINT_H
 #define SIM_POINT_H
 
+#include "sim_fraction.h"
 #include "sim_matrix.h"
 
 /* Prints the lines. object: where the object stands in the world. 0, or PH_ERR_RANGE: a number does not fit, or a
@@ -19,6 +20,9 @@
 int sim_point_print(FILE *file, struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view,
                     const struct ph_projection *projection, uint16_t width, uint16_t height,
                     struct sim_matrix_writing writing);
+
+/* How far the point lies along the view, exactly. */
+struct sim_fraction sim_point_away(struct fx_vec3 point, const struct ph_xform *object, const struct ph_xform *view);
 
 /* Prints the point times a matrix of --flatten, which takes camera coordinates of the convention: `flatten` (x, y, z,
  * w); and after the divide by w `divided` (x, y, z), which has no lines where w is 0: the image is infinitely far. */

@@ -4,12 +4,29 @@
 #include "complain.h"
 #include "sim_cameras.h"
 #include "sim_factors.h"
+#include "sim_focus.h"
 #include "sim_frustum.h"
 #include "sim_point.h"
 
-/* Prints the matrices of one camera, and the point as it sees it. */
+/* Prints the depth of field, and the blur at the distance of --frustum and at the point. */
+static void print_focus(const struct sim_options *o, FILE *file, const struct sim_focus *focus,
+                        const struct sim_camera *camera, const struct ph_projection *lens, uint16_t height)
+{
+    if (o->point_set || o->frustum_z != 0) {
+        sim_focus_print(file, focus, lens, height);
+    }
+    if (o->frustum_z != 0) {
+        sim_focus_print_blur(file, "size.blur", focus, lens, sim_fraction_of(o->frustum_z, 16));
+    }
+    if (o->point_set) {
+        sim_focus_print_blur(file, "blur", focus, lens, sim_point_away(o->point, &o->object, &camera->view));
+    }
+}
+
+/* Prints the matrices of one camera, and the point as it sees it. focus: NULL if there is no depth of field. */
 static int print_camera(const struct sim_options *o, FILE *file, const struct sim_player *p,
-                        const struct sim_camera *camera, struct sim_matrix_writing writing)
+                        const struct sim_camera *camera, const struct sim_focus *focus,
+                        struct sim_matrix_writing writing)
 {
     const struct demo_camera *const user = &p->runner.context.camera; /* a demo may make its own of it */
     const struct ph_projection *const lens = user->projection_set ? &user->projection : &camera->projection;
@@ -37,6 +54,9 @@ static int print_camera(const struct sim_options *o, FILE *file, const struct si
     if (status == 0 && o->point_set && o->flatten != NULL) {
         sim_point_flatten(file, o->point, &o->object, &camera->view, &o->flat, writing);
     }
+    if (status == 0 && focus != NULL) {
+        print_focus(o, file, focus, camera, lens, height);
+    }
     if (status == PH_ERR_RANGE && lens->kind == PH_FISHEYE) {
         return complain_usage("--point: the fisheye does not see it: it is nearer than near, beyond far, more than 170 "
                               "degrees off the view direction, or over 2048 pixels off the centre");
@@ -52,17 +72,19 @@ static int print_camera(const struct sim_options *o, FILE *file, const struct si
 int sim_tell_cameras(const struct sim_options *o, FILE *file, struct sim_player *p, struct sim_matrix_writing writing)
 {
     struct sim_cameras seen = {.count = 0};
+    struct sim_focus focus;
     int status = sim_tell_ride(o, p, o->start);
     if (status == 0) {
         sim_cameras_record(&seen);
         status = sim_player_scene(p, o->start);
         sim_cameras_record(NULL);
     }
+    const bool has_focus = status == 0 && sim_focus_find(&focus, p);
     for (uint32_t i = 0; i < seen.count && status == 0; i++) {
         if (seen.count > 1) {
             fprintf(file, "camera %u of %u\n", (unsigned)i + 1, (unsigned)seen.count);
         }
-        status = print_camera(o, file, p, &seen.cameras[i], writing);
+        status = print_camera(o, file, p, &seen.cameras[i], has_focus ? &focus : NULL, writing);
     }
     return status;
 }

@@ -183,6 +183,34 @@ static void picture_is_that_of_a_thin_lens(void **state)
     free(s);
 }
 
+/* The lens' law at a distance, in every projection: strength (focal / z - 1), in parallel strength (focal - z) / (far -
+ * near). d has 2^-20 and `per_d` 1/256 px, so that it is less than 1/32 px off before it is rounded down. */
+static void blur_at_a_distance_is_the_lens_law(void **state)
+{
+    static uint16_t scratch[PH_BLUR_BYTES(WIDTH, 9, PH_BLUR_RADIUS_MAX) / 2];
+    (void)state;
+    ref_seed(46);
+    for (int i = 0; i < 3000; i++) {
+        struct rig rig;
+        struct ph_blur blur;
+        struct ph_projection p;
+        const double focal = ref_uniform(1.2, 50), strength = ref_uniform(.5, 9), z = ref_uniform(1, 60);
+        const struct ph_focus focus = {ref_q16(focal), ref_q16(strength), (uint8_t)(1 + i % 7)};
+        rig_open(&rig, WIDTH, HEIGHT, 9, ph_depth_formats[i % PH_DEPTH_FORMATS], 4, 4);
+        const int status = i % 3 == 0   ? ph_projection_perspective(&p, FX_INT(50), FX_ONE, FX_ONE, FX_INT(60))
+                           : i % 3 == 1 ? ph_projection_fisheye(&p, FX_INT(180), FX_ONE, FX_INT(60))
+                                        : ph_projection_ortho(&p, -FX_ONE, FX_ONE, -FX_ONE, FX_ONE, FX_ONE, FX_INT(60));
+        assert_int_equal(status, PH_OK);
+        assert_int_equal(ph_frame_begin(&rig.r, &ph_xform_identity, &p, NULL, 0), PH_OK);
+        assert_int_equal(ph_blur_begin(&blur, &rig.r, scratch, sizeof scratch, &focus), PH_OK);
+        const double most = focus.radius + 15 / 16.;
+        const double law = i % 3 == 2 ? strength * (focal - z) / 59 : strength * (focal / z - 1);
+        const double want = fmax(-most, fmin(most, law)), got = ph_blur_at(&blur, ref_q16(z)) / 16.;
+        assert_true(fabs(got) <= fabs(want) + 1 / 32. && fabs(got) > fabs(want) - 1 / 16. - 1 / 32.);
+        rig_close(&rig);
+    }
+}
+
 static void picture_does_not_depend_on_the_band_height(void **state)
 {
     static const int bands[] = {1, 2, 5, 16, 31, 47};
@@ -313,6 +341,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(picture_is_that_of_a_thin_lens),
+        cmocka_unit_test(blur_at_a_distance_is_the_lens_law),
         cmocka_unit_test(picture_does_not_depend_on_the_band_height),
         cmocka_unit_test(without_strength_nothing_changes),
         cmocka_unit_test(sharp_object_does_not_bleed_into_the_background),

@@ -247,6 +247,12 @@ model_has_an_effect() {
         printf 'v 0 0 0\nv 1 1 0\nv 2 2 0\nf 1 2 3\n' >"$dir/thin.obj" && refuses 1 'no triangle with an area' --model "$dir/thin.obj" --crc
 }
 
+focus_blurs() { # a strength of 0 is sharp at every distance
+    differ --demo focus "${small[@]}" --focus 3 -- --demo focus "${small[@]}" --focus 8 &&
+        differ --demo focus "${small[@]}" --focus 3,4 -- --demo focus "${small[@]}" --focus 3,2 &&
+        same --demo focus "${small[@]}" --focus 3,0 -- --demo focus "${small[@]}" --focus 8,0
+}
+
 fisheye_sees_behind_itself() { # beyond what a perspective can
     differ --demo torus "${small[@]}" --projection fisheye --fov 120 -- --demo torus "${small[@]}" --projection perspective --fov 120 &&
         differ --demo torus "${small[@]}" --projection fisheye --fov 240 -- --demo torus "${small[@]}" --projection fisheye --fov 180 &&
@@ -647,6 +653,7 @@ short far_cuts far_cuts
 short projection_has_an_effect differ --demo torus "${small[@]}" --projection ortho -- --demo torus "${small[@]}" --projection perspective
 short frustum_without_window_is_the_perspective frustum_without_window_is_the_perspective
 short fisheye_sees_behind_itself fisheye_sees_behind_itself
+short focus_blurs focus_blurs
 thorough conventions_draw_the_same_bytes
 short matrices_are_the_documents matrices_are_the_documents
 short matrices_round_trip matrices_round_trip
@@ -773,6 +780,10 @@ does not fit fixed point|--anyway --camera eye=0,0,5 --projection-matrix 9000,0,
 --point|--point 1,2
 --point|--point 1,2,3,
 the fisheye does not see it|--projection fisheye --camera eye=0,0,5 --point 0,0,5
+--focus|--demo focus --focus 0 --crc
+--focus|--demo focus --focus 3,65 --crc
+--focus|--demo focus --focus 3, --crc
+cube has no depth of field|--demo cube --focus 3 --crc
 beside the eye|--camera eye=0,0,5 --point 1,0,5
 --object: of what|--object 1,2,3 --crc
 --object|--object 1,2 --matrix

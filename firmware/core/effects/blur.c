@@ -14,15 +14,21 @@
 
 #define WHOLE 2048 /* sum of all weights of a pixel */
 
+/* d at a distance along the view. */
+static int32_t depth_at(const struct ph_lens *lens, fx_t z)
+{
+    return (int32_t)(ph_depth_at(lens, ph_depth_quotient(lens, z), 0) >> 12);
+}
+
 /* d of a linear-w code, computed from the distance. */
-static int32_t depth_of_linear(const struct ph_blur *b, uint32_t code)
+PH_NOINLINE static int32_t depth_of_linear(const struct ph_blur *b, uint32_t code)
 {
     const struct ph_lens *lens = &b->lens;
     const uint32_t range = (uint32_t)lens->far_z - (uint32_t)lens->near_z, top = 65408; /* 65536 (1 - 2^-9) */
     const uint32_t share = code < 16 ? 0 : code - 16 < top ? code - 16 : top;
     const uint32_t before_far = fx_mulhi_u32(range, (share << 16) + (share << 7)); /* / 65408, less than 2^-16 off */
     const fx_t z = (fx_t)((uint32_t)lens->far_z - before_far);
-    return (int32_t)(ph_depth_at(lens, ph_depth_quotient(lens, z), 0) >> 12);
+    return depth_at(lens, z);
 }
 
 /* d of a depth code. */
@@ -44,15 +50,25 @@ static inline int32_t depth_of(const struct ph_blur *b, uint32_t code)
     return (int32_t)(up >= 0 ? value << up : up > -32 ? value >> -up : 0);
 }
 
+static inline int32_t blur_at(const struct ph_blur *b, int32_t depth)
+{
+    const int32_t d = depth - b->focal_d;
+    const uint32_t size = fx_magnitude(d);
+    const uint32_t radius = size >= b->limit ? b->most : (size * b->per_d) >> 24;
+    return d < 0 ? -(int32_t)radius : (int32_t)radius;
+}
+
 static inline int8_t blur_of(const struct ph_blur *b, uint32_t code)
 {
     if (code == 0) {
         return b->empty;
     }
-    const int32_t d = depth_of(b, code) - b->focal_d;
-    const uint32_t size = fx_magnitude(d);
-    const uint32_t radius = size >= b->limit ? b->most : (size * b->per_d) >> 24;
-    return (int8_t)(d < 0 ? -(int32_t)radius : (int32_t)radius);
+    return (int8_t)blur_at(b, depth_of(b, code));
+}
+
+int32_t ph_blur_at(const struct ph_blur *blur, fx_t z)
+{
+    return blur_at(blur, depth_at(&blur->lens, z));
 }
 
 static int32_t smaller(int32_t a, int32_t b)
@@ -72,7 +88,7 @@ static void set_scale(struct ph_blur *b, const struct ph_lens *lens, const struc
     const fx_t z = focus->distance < lens->near_z  ? lens->near_z
                    : focus->distance > lens->far_z ? lens->far_z
                                                    : focus->distance;
-    b->focal_d = (int32_t)(ph_depth_at(lens, ph_depth_quotient(lens, z), 0) >> 12);
+    b->focal_d = depth_at(lens, z);
     const bool parallel = lens->kind == PH_ORTHOGRAPHIC;
     const int64_t over = parallel ? FX_ONE : z, under = parallel ? FX_ONE - (FX_ONE >> 9) : near_of(lens);
     const int64_t per_d = (int64_t)focus->strength * over / under >> 8; /* 256 per px */

@@ -32,8 +32,8 @@ const chapterRows = {
         ['Equation 4.10', 'Similar triangles', 'Halve the focal length: y halves. Move the point to half of its distance: y doubles.', `size=100x100 focal=2,2 ${usualPoint}`],
         ['Equation 4.11', 'w = z', 'The last row copies z into w. Move the point further away, and watch the division by it.', `${atOrigin} flatten=kaist-4.11 point=2,4,-4`],
         ['Figure 4.6', 'The vanishing point', 'The point lies on a rail. Move it along z from -10 to -99: its pixel comes near to the middle, and never gets there.', `size=100x100 fov=90 ${atOrigin} point=1,-1,-10`],
-        ['4.2.2 Common Questions', 'The bug\'s eye', 'A fisheye is no matrix: edges become curves. The radius is the angle times a scale. Change the field of view up to 240 degrees, and take the vertex behind the eye: 3,0,3.', 'demo=fisheye size=240x180 projection=fisheye fov=180 camera=eye=0,0,0,target=0,0,-1 point=3,0,-3'],
-        ['4.2.2 Common Questions', 'Depth of field', 'What is far from the focal depth is blurred, by its depth. Let the frames go on: the focus wanders along the row.', 'demo=focus'],
+        ['4.2.2 Common Questions', 'The bug\'s eye', 'A fisheye is no matrix: edges become curves. The radius is the angle times a scale. Change the field of view up to 240 degrees, and take the vertex behind the eye: 3,0,3.', 'demo=fisheye size=240x180 projection=fisheye fov=180 camera=eye=0,0,0,target=0,0,-3 point=3,0,-3'],
+        ['4.2.2 Common Questions', 'Depth of field', 'What is far from the focal depth is blurred, by its depth. Move the vertex along z and read its blur; at 4 from the eye it is 0. Then change --focus: a wider aperture blurs more.', 'demo=focus size=240x180 fov=60 near=0.5 far=24 camera=eye=0,1,3,target=0,1,0 focus=4,8 point=1.5,1,-3.4'],
     ],
     EECE: [
         ['External Parameters', 'Outside and inside of a camera', 'Move the camera: the view changes. Change the lens: the projection changes. Neither touches the other.', `${wideLens} ${usualPoint}`],

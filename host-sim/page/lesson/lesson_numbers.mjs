@@ -1,6 +1,6 @@
 // lesson_numbers: what pinhole-sim prints of a camera, read, and shown as tables and matrices.
 
-const LESSON_STAGES = ['object', 'world', 'view', 'clip', 'ndc', 'distance', 'angle', 'radius', 'pixel', 'depth'];
+const LESSON_STAGES = ['object', 'world', 'view', 'clip', 'ndc', 'distance', 'angle', 'radius', 'pixel', 'depth', 'blur'];
 
 // Reads what --matrix factors, --point and --frustum print: { matrices: { name: 4 rows of 4 texts }, lines: { label: [fraction,
 // decimal, code, error] } }. A depth has a code and its share. Of several cameras it is the first.
