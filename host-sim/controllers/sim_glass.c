@@ -34,6 +34,8 @@ static const struct sim_glass glasses[] = {
     {"ssd1306-72x40", &sim_model_ssd1306, 72, 40, 128, 64, 28, 0, true, false, false, false, false, false},
     {"ssd1309-128x64", &sim_model_ssd1309, 128, 64, 128, 64, 0, 0, true, false, false, false, false, false},
     {"sh1106-128x64", &sim_model_sh1106, 128, 64, 132, 64, 2, 0, true, false, false, false, false, false},
+    {"sh1107-64x128", &sim_model_sh1107, 64, 128, 128, 128, 32, 0, false, false, false, false, false, false},
+    {"sh1107-128x128", &sim_model_sh1107, 128, 128, 128, 128, 0, 0, false, false, false, false, false, false},
 #ifdef GLASSES_MORE
 #include "glasses_more.inc" /* those of make's PANEL_DIR */
 #endif

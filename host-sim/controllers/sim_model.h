@@ -28,7 +28,7 @@ struct sim_model {
 
 extern const struct sim_model sim_model_st7789, sim_model_gc9a01, sim_model_ili9341, sim_model_ili9488,
     sim_model_st7796, sim_model_hx8357d, sim_model_ili9486, sim_model_st7735s, sim_model_ssd1351, sim_model_ssd0323,
-    sim_model_ssd1306, sim_model_ssd1309, sim_model_sh1106;
+    sim_model_ssd1306, sim_model_ssd1309, sim_model_sh1106, sim_model_sh1107;
 
 /* A glass: how it is bonded to its controller and which way its colours are. */
 struct sim_glass {

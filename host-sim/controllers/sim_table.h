@@ -60,7 +60,7 @@ struct sim_table {
 /* Commands that all controllers of the MIPI display command set share; then those of each controller. */
 extern const struct sim_table sim_table_dbi, sim_table_st7789, sim_table_gc9a01, sim_table_ili9341, sim_table_ili9488,
     sim_table_st7796, sim_table_hx8357d, sim_table_ili9486, sim_table_st7735s, sim_table_ssd1351, sim_table_ssd0323,
-    sim_table_ssd1306, sim_table_ssd1309, sim_table_sh1106;
+    sim_table_ssd1306, sim_table_ssd1309, sim_table_sh1106, sim_table_sh1107;
 
 /* Finds a command. NULL: there is none of this code. */
 const struct sim_command *sim_table_find(const struct sim_table *table, uint8_t code);

@@ -92,6 +92,7 @@ static void the_number_of_lines_at_a_time_is_not_seen(void **state)
         for (unsigned rotation = 0; rotation < 4; rotation++) {
             shoot(&(struct shot){&panel_ssd0323_128x64, rotation, PANEL_GREY4, lines[i], 256});
             shoot(&(struct shot){&panel_sh1106_128x64, rotation, PANEL_MONO_DITHER, lines[i], 256});
+            shoot(&(struct shot){&panel_sh1107_64x128, rotation, PANEL_MONO_DITHER, lines[i], 256});
             shoot(&(struct shot){&panel_st7789_135x240, rotation, PANEL_RGB444, lines[i], 256});
         }
         shoot(&(struct shot){&panel_st7789_135x240, PANEL_R90, PANEL_RGB565, lines[i], 0});

@@ -194,6 +194,7 @@ static void any_number_of_lines_at_a_time_will_do(void **state)
         for (unsigned rotation = 0; rotation < 4; rotation++) {
             show_sequence(&panel_ssd0323_128x64, rotation, PANEL_GREY4, lines[i], PLAIN);
             show_sequence(&panel_sh1106_128x64, rotation, PANEL_MONO_DITHER, lines[i], PLAIN);
+            show_sequence(&panel_sh1107_64x128, rotation, PANEL_MONO_DITHER, lines[i], PLAIN);
         }
         show_sequence(&panel_st7789_135x240, PANEL_R90, PANEL_RGB565, lines[i], PLAIN);
         show_sequence(&panel_st7735s_80x160, PANEL_R0, PANEL_RGB444, lines[i], PLAIN);

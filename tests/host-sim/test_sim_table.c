@@ -481,6 +481,10 @@ static const struct wrong {
     WRONG(panel_ssd1309_128x64, 0xD9, 0x0F),              /* phase 2: 0 is invalid */
     WRONG(panel_sh1106_128x64, 0xAD, 0x0B),               /* 8Ah or 8Bh */
     WRONG(panel_sh1106_128x64, 0xDA, 0x00),               /* D1 must be 1 */
+    WRONG(panel_sh1107_128x128, 0xAD, 0x8B),              /* the converter inside */
+    WRONG(panel_sh1107_128x128, 0xAD, 0x0A),              /* D7 must be 1 */
+    WRONG(panel_sh1107_128x128, 0xA8, 0xFF),              /* D7 */
+    WRONG(panel_sh1107_64x128, 0xDC, 0x80),               /* column 128 */
     WRONG(panel_ssd0323_128x64, 0xB8, 0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x75),
 };
 
@@ -638,7 +642,7 @@ static const struct {
     {&panel_st7735s_128x160, &sim_table_st7735s}, {&panel_ssd1351_128x128, &sim_table_ssd1351},
     {&panel_ssd0323_128x64, &sim_table_ssd0323},  {&panel_ssd1306_128x64, &sim_table_ssd1306},
     {&panel_ssd1309_128x64, &sim_table_ssd1309},  {&panel_sh1106_128x64, &sim_table_sh1106},
-    {&panel_ili9486_320x480, &sim_table_ili9486},
+    {&panel_ili9486_320x480, &sim_table_ili9486}, {&panel_sh1107_64x128, &sim_table_sh1107},
 };
 
 /* Parameters that the table allows: the lowest value of each field, or the only ones. */

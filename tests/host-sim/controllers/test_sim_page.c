@@ -1,5 +1,5 @@
-/* sim_page: SSD1306, SSD1309 and SH1106 by themselves: bytes sent by hand, as the data sheets describe them, what is
- * then seen, and what is told of bytes that a controller would not take. */
+/* sim_page: SSD1306, SSD1309, SH1106 and SH1107 by themselves: bytes sent by hand, as the data sheets describe them,
+ * what is then seen, and what is told of bytes that a controller would not take. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -96,6 +96,11 @@ static void lines_move(void **state)
     COMMANDS(&k, 0xDA, 0x12, 0xA8, 0x0F); /* 16 lines: the lowest of the glass */
     for (unsigned y = 0; y < 48; y++) {
         assert_int_equal(seen_at(&k, 128, 0, y), 0);
+    }
+    COMMANDS(&k, 0xD3, 0x3F); /* these are COM63, 0 .. 14 with C8h */
+    command(&k, 0xA7);
+    for (unsigned y = 0; y < 64; y++) {
+        assert_int_equal(seen_at(&k, 128, 5, y), y == 0 || y >= 49 ? 0xFFFFFF : 0);
     }
     none(&k);
     sim_close(k.sim);
@@ -194,6 +199,124 @@ static void glasses_have_their_place(void **state)
     sim_close(k.sim);
 }
 
+/* An SH1107 with a black picture, upright as its memory is. */
+static void open_dark_sh1107(struct sim_bus *k, const struct panel *panel)
+{
+    *k = sim_bus_with(panel);
+    plug(k);
+    wait_ms(k, 1);
+    command(k, 0x20);
+    for (unsigned page = 0; page < 16; page++) {
+        COMMANDS(k, (uint8_t)(0xB0 | page), 0x00, 0x10);
+        for (unsigned column = 0; column < 128; column++) {
+            DATA(k, "\0");
+        }
+    }
+    command(k, 0xAF);
+    none(k);
+}
+
+/* Fails unless (x, y) is the only place that is lit. x = NOWHERE: nothing is. */
+enum { NOWHERE = 999 };
+static void only_lit(struct sim_bus *k, unsigned width, unsigned x, unsigned y)
+{
+    static uint8_t rgb[3 * 128 * 128];
+    sim_pixels(k->sim, PANEL_R0, rgb);
+    for (unsigned v = 0; v < 128; v++) {
+        for (unsigned u = 0; u < width; u++) {
+            assert_int_equal(rgb[3 * (v * width + u)], u == x && v == y ? 255 : 0);
+        }
+    }
+    none(k);
+}
+
+/* Its columns are COM lines: C8h mirrors columns at once, A1h mirrors rows for bytes that come after it. */
+static void columns_of_an_sh1107_are_com_lines(void **state)
+{
+    (void)state;
+    struct sim_bus k;
+    open_dark_sh1107(&k, &panel_sh1107_128x128);
+    COMMANDS(&k, 0xBF, 0x05, 0x12);
+    DATA(&k, "\x02"); /* column 25h, row 121 */
+    only_lit(&k, 128, 0x25, 121);
+    command(&k, 0xC8);
+    only_lit(&k, 128, 127 - 0x25, 121);
+    COMMANDS(&k, 0xC0, 0xA1);
+    only_lit(&k, 128, 0x25, 121);
+    COMMANDS(&k, 0xB0, 0x05, 0x12);
+    DATA(&k, "\x40"); /* row 6 is row 121 now */
+    only_lit(&k, 128, 0x25, 121);
+    DATA(&k, "\x01");
+    assert_int_equal(seen_at(&k, 128, 0x26, 127), 0xFFFFFF);
+    sim_close(k.sim);
+}
+
+/* Start line, offset and multiplex ratio count columns. */
+static void columns_of_an_sh1107_move(void **state)
+{
+    (void)state;
+    struct sim_bus k;
+    open_dark_sh1107(&k, &panel_sh1107_128x128);
+    COMMANDS(&k, 0xB0, 0x05, 0x12);
+    DATA(&k, "\x01");
+    COMMANDS(&k, 0xDC, 0x07);
+    only_lit(&k, 128, 0x25 - 7, 0);
+    COMMANDS(&k, 0xDC, 0x00, 0xD3, 0x10); /* the data sheet: COM16 moves to COM0 */
+    only_lit(&k, 128, 0x25 - 16, 0);
+    COMMANDS(&k, 0xD3, 0x00, 0xA8, 0x24);
+    only_lit(&k, 128, NOWHERE, 0);
+    COMMANDS(&k, 0xA8, 0x25);
+    only_lit(&k, 128, 0x25, 0);
+    command(&k, 0xC8);
+    only_lit(&k, 128, 0, 0); /* from the last of 26 lines */
+    sim_close(k.sim);
+}
+
+/* The glass of 64 columns is bonded to COM32 .. 95. Of 64 lines, an offset of 60h moves C0h's there and one of 20h
+ * C8h's. */
+static void a_glass_of_64_columns_is_in_the_middle(void **state)
+{
+    (void)state;
+    struct sim_bus k;
+    open_dark_sh1107(&k, &panel_sh1107_64x128);
+    COMMANDS(&k, 0xB0, 0x01, 0x10);
+    DATA(&k, "\x01"); /* column 1 */
+    only_lit(&k, 64, NOWHERE, 0);
+    COMMANDS(&k, 0xA8, 0x3F, 0xD3, 0x60);
+    only_lit(&k, 64, 1, 0);
+    command(&k, 0xC8);
+    command(&k, 0xA7);
+    only_lit(&k, 64, NOWHERE, 0); /* no line of the glass is driven, not even inverse */
+    COMMANDS(&k, 0xA6, 0xD3, 0x20);
+    only_lit(&k, 64, 62, 0);
+    COMMANDS(&k, 0xC0, 0xA8, 0x7F, 0xD3, 0x00, 0xB0, 0x01, 0x12);
+    DATA(&k, "\x80"); /* column 33 */
+    only_lit(&k, 64, 1, 7);
+    command(&k, 0xC8); /* columns 95 .. 32 */
+    only_lit(&k, 64, 62, 7);
+    sim_close(k.sim);
+}
+
+static void an_sh1107_takes_no_command_of_others(void **state)
+{
+    (void)state;
+    static const uint8_t unknown[] = {0x21, 0x22, 0x2E, 0x30, 0x40, 0x7F, 0x8D, 0xC1, 0xDA, 0xFD};
+    struct sim_bus k;
+    for (size_t i = 0; i < sizeof unknown; i++) {
+        open_dark_sh1107(&k, &panel_sh1107_128x128);
+        command(&k, unknown[i]);
+        only(&k, SIM_UNKNOWN_COMMAND, 1);
+        sim_close(k.sim);
+    }
+    open_dark_sh1107(&k, &panel_sh1107_128x128);
+    COMMANDS(&k, 0x0F, 0x17); /* 127 is the last */
+    DATA(&k, "\xFF");
+    none(&k);
+    COMMANDS(&k, 0x00, 0x18);
+    only(&k, SIM_WINDOW_OUTSIDE, 1);
+    sim_close(k.sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -204,6 +327,10 @@ int main(void)
         cmocka_unit_test(what_is_wrong_is_told),
         cmocka_unit_test(an_ssd1309_can_be_locked),
         cmocka_unit_test(glasses_have_their_place),
+        cmocka_unit_test(columns_of_an_sh1107_are_com_lines),
+        cmocka_unit_test(columns_of_an_sh1107_move),
+        cmocka_unit_test(a_glass_of_64_columns_is_in_the_middle),
+        cmocka_unit_test(an_sh1107_takes_no_command_of_others),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
