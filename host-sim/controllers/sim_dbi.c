@@ -125,11 +125,11 @@ static void store(struct sim *sim, uint8_t r, uint8_t g, uint8_t b)
         d->y = d->y0;
     }
     d->left--;
-    if (d->x < host_width(sim) && d->y < host_height(sim)) {
-        uint32_t column = madctl_of(sim) & 0x20 ? d->y : d->x;
-        uint32_t row = madctl_of(sim) & 0x20 ? d->x : d->y;
-        column = madctl_of(sim) & 0x40 ? sim->glass.ram_width - 1U - column : column;
-        row = madctl_of(sim) & 0x80 ? sim->glass.ram_height - 1U - row : row;
+    const uint8_t madctl = madctl_of(sim);
+    uint32_t column = madctl & 0x20 ? d->y : d->x, row = madctl & 0x20 ? d->x : d->y;
+    if (column < sim->glass.ram_width && row < sim->glass.ram_height) {
+        column = madctl & 0x40 ? sim->glass.ram_width - 1U - column : column;
+        row = madctl & 0x80 ? sim->glass.ram_height - 1U - row : row;
         sim->memory[row * sim->glass.ram_width + column] = (struct sim_cell){r, g, b, 1};
         sim->counters.pixels++;
     }

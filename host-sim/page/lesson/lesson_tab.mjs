@@ -12,12 +12,13 @@ import { lessonCommand, lessonList, lessonPlace, lessonWords, readLessonAddress,
 import { lessonCube, lessonScene, makeLessonWorld } from './lesson_world.mjs';
 
 const LESSON_CONTROLS = ['size', 'fov', 'near', 'far', 'camera', 'projection', 'convention', 'point', 'show', 'view-matrix', 'projection-matrix', 'anyway'];
+const LESSON_ADDRESS_MS = 100; // the address follows so long after a change
 const lessonFloats = (matrix) => matrix?.flat().map(Number) ?? null;
 
 // startAnother() starts a module of its own, in which the glass of the tab Kit is not disturbed.
 export function openLesson(startAnother) {
     const input = (name) => at(`lesson-${name}`), kept = new Map();
-    let core = null, state = new Map(), read = readLessonText(''), words = [], size = [240, 240]; // of the glass
+    let core = null, state = new Map(), read = readLessonText(''), words = [], size = [240, 240], writing = 0; // of the glass; the timer of the address
 
     const say = (text, wrong = false) => {
         input('said').textContent = text;
@@ -102,7 +103,12 @@ export function openLesson(startAnother) {
         input('code').textContent = drawn ? lessonCode(state, size, read) : '';
         input('crc').textContent = drawn ? `crc32 ${core.crc()}` : '';
     };
-    const remember = () => !at('lesson').hidden && history.replaceState(null, '', writeLessonAddress(state));
+    const remember = () => {
+        clearTimeout(writing);
+        if (!at('lesson').hidden) {
+            history.replaceState(null, '', writeLessonAddress(state));
+        }
+    };
     const set = (changes) => {
         if (changes.convention !== undefined && changes.convention !== convention()) {
             rewrite(changes.convention);
@@ -111,7 +117,8 @@ export function openLesson(startAnother) {
             setLessonOption(state, kept, name, value);
         }
         draw();
-        remember();
+        clearTimeout(writing); // a browser takes few addresses in a second, and each holds up the picture: a slider writes its last one
+        writing = setTimeout(remember, LESSON_ADDRESS_MS);
     };
     // Matrices that were typed, and planes that are coordinates, as another convention writes them.
     const rewrite = (to) => {

@@ -28,7 +28,7 @@ function makeWorldCamera() {
 export function makeLessonWorld(element, moved) {
     const canvas = element.querySelector('canvas'), context = canvas.getContext('2d'), camera = makeWorldCamera();
     const handles = Object.fromEntries([...element.querySelectorAll('[data-handle]')].map((button) => [button.dataset.handle, button]));
-    let scene = null, share = 0;
+    let scene = null, share = 0, colours = null;
 
     // Where a point of the world is while the frustum becomes the cube; null: nowhere.
     const placed = (p) => {
@@ -68,7 +68,7 @@ export function makeLessonWorld(element, moved) {
             context.fillText(text, at[0] + 6, at[1] - 6);
         }
     };
-    const drawFrustum = (colours) => {
+    const drawFrustum = () => {
         const from_clip = lessonInverse(scene.clip), ends = LESSON_ENDS[scene.convention];
         if (from_clip === null) {
             return;
@@ -114,12 +114,15 @@ export function makeLessonWorld(element, moved) {
             }
         }
     };
+    const readColours = () => { // asking for them at each picture would compute the page's styles each time
+        const style = getComputedStyle(element), colour = (name) => style.getPropertyValue(name).trim();
+        colours = { dim: colour('--line'), ink: colour('--ink'), object: colour('--ink'), frustum: colour('--accent'), near: colour('--near'), point: colour('--warn') };
+    };
     const paint = () => {
         if (scene === null || camera.width === 0) {
             return;
         }
-        const ratio = window.devicePixelRatio, style = getComputedStyle(element), colour = (name) => style.getPropertyValue(name).trim();
-        const colours = { dim: colour('--line'), ink: colour('--ink'), object: colour('--ink'), frustum: colour('--accent'), near: colour('--near'), point: colour('--warn') };
+        const ratio = window.devicePixelRatio;
         if (canvas.width !== Math.round(camera.width * ratio) || canvas.height !== Math.round(camera.height * ratio)) {
             canvas.width = Math.round(camera.width * ratio);
             canvas.height = Math.round(camera.height * ratio);
@@ -137,7 +140,7 @@ export function makeLessonWorld(element, moved) {
         }
         lines(colours.object, 1.5, scene.object);
         if (scene.clip !== null) {
-            drawFrustum(colours);
+            drawFrustum();
         }
         if (share === 0) {
             lines(colours.dim, 1.5, [[scene.eye, scene.target]], [2, 4]);
@@ -209,7 +212,11 @@ export function makeLessonWorld(element, moved) {
         camera.height = contentRect.height;
         paint();
     }).observe(element);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+        readColours();
+        paint();
+    });
+    readColours();
     return {
         draw(next) {
             scene = next;

@@ -37,8 +37,9 @@ function runTool(command) {
     return { numbers: numbersOf(stdout), crc: /crc32 (\w+)/.exec(stdout)?.[1] ?? '', said: stderr.trim().replaceAll(/^pinhole-sim: /gm, '').replaceAll('\n', '; ') };
 }
 
-// Runs in the page: everything that the lesson shows.
-function readLesson() {
+// Runs in the page: everything that the lesson shows. The address follows a change after a tenth of a second.
+async function readLesson() {
+    await new Promise((done) => setTimeout(done, 150));
     const plain = (text) => text.replaceAll('\u2212', '-'), of = (id) => document.getElementById(`lesson-${id}`);
     const rows = [...document.querySelectorAll('#lesson tr[data-label]')].map((row) => [row.dataset.label, [...row.cells].slice(1).map((cell) => plain(cell.textContent)).join(' ')]);
     const cells = [...document.querySelectorAll('#lesson .lesson-matrix [data-label]')].filter((cell) => !/^(turn|move)\./.test(cell.dataset.label) && cell.offsetParent !== null)
