@@ -1,8 +1,9 @@
 /*
  * pico: display packs on a Raspberry Pi Pico or Pico 2, and boards with an RP2040 or RP2350 that are wired like one.
  *
- * Their controllers (ST7789, ST7735S, GC9A01) take a bit at the rising edge of the clock, in SPI mode 0 as in mode 3.
- * In mode 3 these chips' SPI unit makes no pause after a word (hal/chips/spi_clock.h), which is 9 % more frames/s.
+ * Their controllers (ST7789, ST7735S, GC9A01, SH1107) take a bit at the rising edge of the clock, in SPI mode 0 as in
+ * mode 3. In mode 3 these chips' SPI unit makes no pause after a word (hal/chips/spi_clock.h), which is 9 % more
+ * frames/s.
  */
 #ifndef FAMILIES_PICO_H
 #define FAMILIES_PICO_H
@@ -23,15 +24,13 @@
                 {HAL_BUTTON_RIGHT, BOARD_PIN_LOW(15)}},                                                                \
     .button_count = 4
 
-/* Waveshare's; the number of the backlight's pin differs. */
+/* Waveshare's; the number of the backlight's pin differs, and OLEDs have none. */
+#define PICO_WAVESHARE_SPI .spi_unit = BOARD_SPI_RP2, .spi_bus = 1, .spi_mode = 3
+#define PICO_WAVESHARE_WIRES                                                                                           \
+    .clock = BOARD_PIN(10), .data = BOARD_PIN(11), .select = BOARD_PIN_LOW(9), .dc = BOARD_PIN(8),                     \
+    .reset = BOARD_PIN(12)
 #define PICO_WAVESHARE(backlight_pin)                                                                                  \
-    .spi_unit = BOARD_SPI_RP2, .spi_bus = 1, .spi_mode = 3,                                                            \
-    .pins = {.clock = BOARD_PIN(10),                                                                                   \
-             .data = BOARD_PIN(11),                                                                                    \
-             .select = BOARD_PIN_LOW(9),                                                                               \
-             .dc = BOARD_PIN(8),                                                                                       \
-             .reset = BOARD_PIN(12),                                                                                   \
-             .backlight = BOARD_PIN(backlight_pin)}
+    PICO_WAVESHARE_SPI, .pins = {PICO_WAVESHARE_WIRES, .backlight = BOARD_PIN(backlight_pin)}
 
 #define PICO_WAVESHARE_JOYSTICK                                                                                        \
     .buttons = {{HAL_BUTTON_UP, BOARD_PIN_LOW(2)},                                                                     \

@@ -170,6 +170,8 @@ static const struct {
     {"waveshare-pico2-lcd-0in96", 0xA8, "A8h by Waveshare's `Pico-LCD-0.96.py`"},
     {"waveshare-rp2350-lcd-1in28", 0x48, "08h by Waveshare's `LCD_1in28.c`, which also reverses the columns (B6h 20h)"},
     {"waveshare-rp2350-lcd-0in96", 0xA8, "A8h by Waveshare's `Pico-LCD-0.96.py`, unconfirmed"},
+    {"waveshare-pico-oled-1in3", 0x08,
+     "C0h, A0h by Waveshare's `Pico-OLED-1.3.py`, which writes the first line to the last column"},
     {"lm3s6965evb", 0x52, "52h by Luminary's `osram128x64x4.c`"},
     {"feather-stm32f405", 0x28, "38h by Adafruit's `adafruit_ili9341.py`"},
     {"rpi-waveshare-1in3", 0x60, "70h by Waveshare's `ST7789.py`"},
