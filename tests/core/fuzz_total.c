@@ -617,6 +617,7 @@ static void effects(const int32_t *a)
     const bool in_range = focus.distance > 0 && focus.strength >= 0 && focus.strength <= FX_INT(64) &&
                           focus.radius >= 1 && focus.radius <= PH_BLUR_RADIUS_MAX;
     check(status == (in_range ? PH_OK : PH_ERR_INVAL), "ph_blur_begin");
+    check(status != PH_OK || fx_magnitude(ph_blur_at(&blur, a[10])) <= 16 * PH_BLUR_RADIUS_MAX, "ph_blur_at");
     for (uint32_t i = 0; i < bands && status == PH_OK; i++) {
         check(ph_blur_band(&blur, &r, i, pixels) == LINES, "ph_blur_band");
     }
