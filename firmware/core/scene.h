@@ -119,10 +119,9 @@ struct ph_material {
                            float16 */
     /* Towards the viewer, too, for decals on surfaces that lean away: this many sixteenths of what depth changes by
      * from pixel to pixel, right or down, whichever is more; at most the range of the triangle's corners. With linear-w
-     * it is taken at the farthest corner, and at most 255 codes together with depth_bias. 0: none. A decal that lies
-     * in the plane of its surface shows with 2 and a depth_bias of 2, in the float formats of PH_DECAL_BIAS
-     * (tests/core/test_decals.c). Such a triangle takes the place of two in the list; where the list is
-     * full it has depth_bias alone. */
+     * it is taken at the farthest corner, and at most 255 codes together with depth_bias. Where a float reaches into
+     * the next octave by it, codes may go on as steep as before. 0: none. A decal that lies in the plane of its
+     * surface shows with 2 and a depth_bias of 2, in the float formats of PH_DECAL_BIAS (tests/core/test_decals.c). */
     uint8_t depth_bias_slope;
     fx_t ambient;         /* share of the scene's ambient light reflected, 0 .. 1 */
     fx_t diffuse;         /* 0 .. 1 */

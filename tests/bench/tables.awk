@@ -138,6 +138,9 @@ function cliffs_table(   i, c, line, name, of) {
             line = line sprintf("  %9.1f : %7.1f (%4.1f)", cost[cores[c], name, "cliff"], cost[cores[c], name, "usual"],
                 cost[cores[c], name, "cliff"] / cost[cores[c], name, "usual"])
             row(cores[c], name, "cliff", sprintf("%.1f", cost[cores[c], name, "cliff"]), "", "", "")
+            if ((cores[c], name, "cliff_times") in must) { # a bar on how many times the usual it is
+                row(cores[c], name, "cliff_times", sprintf("%.2f", cost[cores[c], name, "cliff"] / cost[cores[c], name, "usual"]), must[cores[c], name, "cliff_times"], "", "")
+            }
         }
         print line
     }

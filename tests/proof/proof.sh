@@ -90,7 +90,7 @@ planes.plane_through     | short_plane,wide_plane | 4 | no overflow
 planes.plane_light       | short_plane,wide_plane | 4 | no overflow
 planes.plane_exact       | wide_gradient         |  4 | no overflow
 planes.depths            |                       |  4 | no overflow
-planes.setup_depth       | depth_plane,plane_exact | 34 | no overflow
+planes.setup_depth       | depth_plane,plane_exact,ph_depth_linear_code | 34 | no overflow
 planes.setup_texture     | plane_through         |  4 | no overflow
 exact.in_40_bits         |                       |  1 | no overflow, below 16
 exact.divide             |                       |  1 | no overflow
@@ -100,7 +100,7 @@ exact.linear_code        | ph_depth_linear_code  |  1 | no bad shift
 exact.range_of           |                       |  1 | no bad shift
 exact.pixels_in          |                       | 512 | 1 .. n
 exact.run                | octave_of,range_of,set_run,pixels_in=any_count | 1 | no overflow
-exact.lift               | linear_code           |  1 | no overflow, all depths stay below 1
+exact.lift               | linear_code,ph_lift_codes |  1 | no overflow, all depths stay below 1
 exact.rows               | octave_of,range_of,set_run | 4 | no overflow
 setup_small.slopes       |                       |  4 | no overflow, slopes below 2^15
 setup_small.depth_gradient |                     |  4 | no overflow

@@ -55,8 +55,8 @@
  * units of d, near the far plane, by those as well). A pixel is drawn if its centre is inside the
  * edges, and these are rounded: by 2^-16 px a row, and up to 64 px by 2^-15 px a column as well. At a centre outside
  * the corners by that much the code may leave their range, by 4 of 16 bits at most; a plane that could leave it by more
- * is clamped to the range. A plane that 32 bits cannot hold, because it is too steep, because it crosses more octaves
- * than the format has bits for, or because depth_bias_slope lifts it, has 64 bits (exact.h).
+ * is clamped to the range. A plane that 32 bits cannot hold, because it is too steep or because it crosses more octaves
+ * than the format has bits for, has 64 bits (exact.h).
  */
 #ifndef PH_DEPTH_H
 #define PH_DEPTH_H
@@ -79,6 +79,12 @@ static inline enum ph_depth_coding ph_depth_coding(const struct ph_renderer *r)
 static inline int ph_depth_head(const struct ph_lens *lens)
 {
     return lens->float_down > 3 ? 12 - lens->float_down : 9;
+}
+
+/* The highest d that depth_bias_slope lifts a corner to: its head room is left. */
+static inline uint32_t ph_depth_top(const struct ph_lens *lens)
+{
+    return UINT32_MAX << (32 - ph_depth_head(lens));
 }
 
 /* The material's bias, within its range: all ways to draw a triangle take it from here. */

@@ -44,7 +44,7 @@ struct ph_depth_ways {
     struct ph_linear (*linear_of)(const struct ph_lens *lens);
     /* planes.h: depth and block of a large triangle, and the depth of corners in a float format, or NULL. */
     bool (*set_plane)(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
-                      uint32_t bias, struct ph_depth *depth, uint8_t *block);
+                      const struct ph_material *material, struct ph_depth *depth, uint8_t *block);
     uint8_t (*block_depths)(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
                             uint32_t d[3]);
     const struct ph_exact_ways *exact;    /* exact.h; NULL: fixed */

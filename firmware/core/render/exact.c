@@ -15,11 +15,16 @@ PH_TIER(seldom) static uint64_t load(const uint32_t from[2])
     return (uint64_t)from[1] << 32 | from[0];
 }
 
+PH_TIER(seldom) static PH_NOINLINE uint64_t magnitude(uint64_t value)
+{
+    return (int64_t)value < 0 ? 0u - value : value;
+}
+
 /* 2^16 n / area, rounded towards 0, modulo 2^64. |n| is below 2^63, area below 2^48. For short sides the last 8 bits
  * may be missing, which saves a division. */
 PH_TIER(seldom) static uint64_t divide(int64_t n, uint64_t area, bool is_short)
 {
-    const uint64_t m = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+    const uint64_t m = magnitude((uint64_t)n);
     const uint32_t high = (uint32_t)(m >> 32);
     const int zeros = high != 0 ? fx_clz32(high) : 32, up = ph_min(zeros, 16);
     const uint64_t whole = fx_quotient_u64(m << up, area);
@@ -107,25 +112,23 @@ PH_TIER(seldom) static uint32_t linear_code(const struct ph_exact *e, const stru
 
 PH_TIER(seldom) static void lift_linear(const struct ph_exact *e, struct ph_linear *linear, uint64_t by)
 {
-    const uint64_t low = load(e->low), high = low + load(e->size);
-    const uint32_t codes = (linear_code(e, linear, low + by) - linear_code(e, linear, low)) >> 16;
-    const uint32_t most = (UINT32_MAX - linear_code(e, linear, high)) >> 16, bias = linear->bias;
-    const uint32_t more = codes < most ? codes : most;
-    linear->bias = (uint8_t)(bias + more < 255 ? bias + more : 255);
+    const uint64_t low = load(e->low);
+    ph_lift_codes(linear, linear_code(e, linear, low), linear_code(e, linear, low + by),
+                  linear_code(e, linear, low + load(e->size)));
 }
 
 /* Moves the plane towards the viewer: see depth_bias_slope in scene.h. */
 PH_TIER(seldom)
-static void lift(struct ph_exact *e, const struct ph_exact_ways *ways, struct ph_linear *linear, uint32_t slope)
+static void lift(const struct ph_renderer *r, struct ph_exact *e, struct ph_linear *linear, uint32_t slope)
 {
-    const uint64_t top = ((uint64_t)1 << 56) - ((uint64_t)1 << 47); /* where the codes have room for depth_bias */
-    const uint64_t low = load(e->low), size = load(e->size), high = low + size, room = high < top ? top - high : 0;
-    const uint64_t gx = load(e->gx), gy = load(e->gy);
-    const uint64_t right = (int64_t)gx < 0 ? 0u - gx : gx, below = (int64_t)gy < 0 ? 0u - gy : gy;
+    const uint64_t low = load(e->low), size = load(e->size);
+    const uint32_t top = ph_depth_top(&r->lens), high = (uint32_t)((low + size) >> 24);
+    const uint64_t room = (uint64_t)(high < top ? top - high : 0) << 24;
+    const uint64_t right = magnitude(load(e->gx)), below = magnitude(load(e->gy));
     const uint64_t part = (right > below ? right : below) >> 4,
-                   by = part < fx_quotient_u64(size, slope) ? part * slope : size;
+                   by = part < size && part * slope < size ? part * slope : size; /* the product may wrap if not */
     if (e->coding == PH_DEPTH_IS_LINEAR) {
-        ways->lift(e, linear, by);
+        ph_depth_ways(r)->exact->lift(e, linear, by);
         return;
     }
     const uint64_t up = by < room ? by : room;
@@ -147,7 +150,7 @@ void ph_set_exact(const struct ph_renderer *r, const struct ph_material *materia
     }
     set_plane(e, d, v[0], sides);
     if (material->depth_bias_slope != 0) {
-        lift(e, ph_depth_ways(r)->exact, &depth->over_w.linear, material->depth_bias_slope);
+        lift(r, e, &depth->over_w.linear, material->depth_bias_slope);
     }
 }
 

@@ -172,7 +172,7 @@ PH_TIER(few) void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32
     ph_vertex_depth(v, depth_of(lens, &to));
 }
 
-PH_TIER(scenery) struct ph_corner ph_ray_corner(const struct ph_lens *lens, const struct ph_ray *v)
+struct ph_corner ph_ray_corner(const struct ph_lens *lens, const struct ph_ray *v)
 {
     const struct ph_quotient depth = depth_of(lens, v);
     return (struct ph_corner){{v->at.x, v->at.y, depth.q, depth.s, 0, v->light}, {v->uv[0], v->uv[1]}};

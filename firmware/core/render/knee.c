@@ -50,7 +50,7 @@ PH_TIER(scenery) void ph_set_knee(struct ph_triangle *t, const uint32_t d[3])
     /* A pixel may lie 2^-9 px outside, and its depth some codes beside the corners' plane. */
     const uint32_t gx = ph_without_sign((int32_t)small->gd), gy = ph_without_sign((int32_t)small->d_dy);
     const uint32_t codes = up >= 0 ? KNEE_ROOM >> up : KNEE_ROOM << -up, room = (gx >> 8) + (gy >> 8) + codes;
-    if (at.near == 0 || at.far - at.near != 1 ||
+    if (at.near == 0 || at.far - at.near != 1 || t->material->depth_bias_slope != 0 || /* above the depths d */
         (gx | gy) >> 28 != 0) { /* where the first row begins d has not wrapped */
         return;
     }

@@ -221,7 +221,7 @@ static PH_NOINLINE void any_depth(const struct ph_setting *s, const struct ph_ve
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
     struct ph_depth *const depth = &t->as.line.depth.any;
     t->kind = PH_KIND_ANY_LINE;
-    if (!ph_set_depth(s->r, t->material, v, &sides, depth, &t->block) || t->material->depth_bias_slope != 0) {
+    if (!ph_set_depth(s->r, t->material, v, &sides, depth, &t->block)) {
         ph_set_exact(s->r, t->material, v, &sides, depth);
         t->block = PH_BLOCK_EXACT;
     }
@@ -258,7 +258,7 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
     t->as.line.colour = t->material->colour;
     t->as.line.lines = &ph_lines;
     walk_of(s->r, from, to, t, &part);
-    if (!end_codes(s, from, to, d)) {
+    if (t->material->depth_bias_slope != 0 || !end_codes(s, from, to, d)) {
         any_depth(s, from, to, t);
         return;
     }

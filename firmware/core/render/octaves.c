@@ -12,6 +12,7 @@ bool ph_finish_octaves(struct ph_triangle *t, const struct ph_renderer *r, const
     struct ph_depth any;
     uint8_t block = PH_BLOCK_NONE;
     if (has_plane && ph_small_plane_does(d, t->block)) {
+        ph_lift_small(t, ph_depth_top(&r->lens), d);
         small->d = ph_block_rounded(small->d, t->block); /* rounded: see planes.c; the gradients are multiples of 256 */
         return true;
     }

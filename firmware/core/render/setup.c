@@ -134,6 +134,14 @@ static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rend
     return true;
 }
 
+/* Moves depth in codes as depth_bias_slope says; what crosses octaves is moved in octaves.c. */
+static inline void lift_codes(struct ph_triangle *t, const uint32_t d[3])
+{
+    if (t->block == PH_BLOCK_NONE) {
+        ph_lift_small(t, PH_TOP_CODE, d);
+    }
+}
+
 PH_TIER(figure)
 bool ph_take_small_depth(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
                          const struct ph_sides *sides, bool fits)
@@ -152,6 +160,7 @@ bool ph_take_small_depth(struct ph_triangle *t, const struct ph_setting *s, cons
     if ((done == PH_SMALL_STEEP || other.block != PH_BLOCK_NONE) && !finish_depth(&other, s->r, v, sides, d, done)) {
         return false;
     }
+    lift_codes(&other, d);
     const struct ph_small_triangle *const small = &other.as.small.rows;
     t->block = other.block;
     t->as.large.depth.as.plane =
@@ -175,9 +184,7 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     } else if (t->kind == PH_KIND_TEXTURE) {
         take_small_depth = t->material->shading->texturing.take_small_depth;
     }
-    if (s->fast.material->depth_bias_slope != 0) {
-        fits = false;
-    } else if (small && s->has_codes && take_small_depth != NULL) {
+    if (small && s->has_codes && take_small_depth != NULL) {
         fits = take_small_depth(t, s, v, sides, fits);
     }
     if (!fits) {
@@ -200,7 +207,7 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->r = r;
     s->draw = draw;
     s->fast.base = ph_at(r, draw->base);
-    s->has_codes = format->is_small && material->depth_bias_slope == 0;
+    s->has_codes = format->is_small;
     s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL && s->has_codes;
     s->fast.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
     s->source = textured                     ? PH_FROM_TEXELS
@@ -226,8 +233,8 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     if (s->antialiasing != NULL) {
         s->antialiasing->prepare(s);
     }
-    const bool fast =
-        s->is_small && r->inner_x > 0 && r->inner_y > 0 && (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0;
+    const bool fast = s->is_small && r->inner_x > 0 && r->inner_y > 0 &&
+                      (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0 && material->depth_bias_slope == 0;
     s->is_fast = fast && !textured;
     s->has_fast_texels = fast && textured;
     s->fast.bias = s->octaves != NULL
@@ -299,6 +306,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         setup_other(s, v, uv, sides, false, t);
         return;
     }
+    lift_codes(t, d);
     if (s->source == PH_FROM_TEXELS) {
         if (!s->set_texels(t, s, v, uv)) {
             setup_other(s, v, uv, sides, small, t);
