@@ -290,6 +290,19 @@ static void put_answer(const struct scene_report *r)
                                  : "the sub-pixel grid moves them");
     }
     fputs(".\n", r->lab->rows);
+    if (r->scene.file_scale > 0) {
+        fprintf(r->lab->rows, "# The model is drawn with a radius of 1 m: 1 m here is %.4g units of its file.\n",
+                1 / r->scene.file_scale);
+    }
+}
+
+/* A gap, in the units of the model's file as well. */
+static void put_gap(const struct scene_report *r, double gap_m)
+{
+    fprintf(r->lab->rows, "%.3g m", gap_m);
+    if (r->scene.file_scale > 0) {
+        fprintf(r->lab->rows, " (%.3g units of the file)", gap_m / r->scene.file_scale);
+    }
 }
 
 static void put_rows(const struct scene_report *r)
@@ -330,11 +343,11 @@ static void put_pairs(struct scene_report *r)
         const struct pair *const p = &r->pairs[i];
         const char *const front = r->scene.surfaces[p->front].colour, *const behind =
                                                                           r->scene.surfaces[p->behind].colour;
-        fprintf(
-            r->lab->rows,
-            "# Surface %u (%s) before surface %u (%s): %llu pixels, %.3g m apart or more, the least at %.4g m. With "
-            "the near plane at %s m fight:",
-            p->front + 1u, front, p->behind + 1u, behind, (unsigned long long)p->pixels, p->gap_m, p->z_m, near_text);
+        fprintf(r->lab->rows, "# Surface %u (%s) before surface %u (%s): %llu pixels, ", p->front + 1u, front,
+                p->behind + 1u, behind, (unsigned long long)p->pixels);
+        put_gap(r, p->gap_m);
+        fprintf(r->lab->rows, " apart or more, the least at %.4g m. With the near plane at %s m fight:", p->z_m,
+                near_text);
         for (uint32_t k = 0; k < r->candidate_count && r->candidates[k].lab.near_z == r->scene.lens.near_z; k++) {
             const struct lab_format *const format = r->candidates[k].format;
             fprintf(r->lab->rows, "%s %s %.3g %%", k > 0 ? "," : "", format->name,

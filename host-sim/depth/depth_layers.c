@@ -107,6 +107,7 @@ static int find(struct depth_layers *s, const struct depth_lab *lab)
             return status;
         }
         s->model_demo = model_demo(s->model);
+        s->file_scale = s->model->scale;
         s->demo = &s->model_demo;
         s->context.state = s->model;
     }

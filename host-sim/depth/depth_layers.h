@@ -53,6 +53,7 @@ struct depth_layers {
     const struct depth_lab *lab;
     const struct demo *demo;
     struct model *model; /* NULL: a built-in demo */
+    double file_scale;   /* metres of the scene in a unit of the model's file; 0: they are the same */
     struct demo model_demo;
     struct demo_context context;
     struct ph_renderer renderer;

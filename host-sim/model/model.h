@@ -64,6 +64,7 @@ struct model {
     uint32_t mesh_count;
     uint32_t vertex_max;     /* vertices of the largest mesh */
     uint32_t triangle_count; /* of all meshes */
+    double scale;            /* lengths of the model in those of the file; 0: a binary scene, which has the model's */
     bool has_camera;
     struct demo_eye camera;
     const char *note;                 /* one line on what could not be used, or NULL */

@@ -311,6 +311,7 @@ static bool copy_meshes(struct model_shared *shared, const struct model_scene *s
     if (!model_fit_find(shared, places, fit, &outline)) {
         return false;
     }
+    model->scale = fit->scale;
     model_rig_settle(shared->rig, places, fit);
     model->meshes = demo_alloc(&shared->arena, sizeof *model->meshes * count_pieces(places));
     if (model->meshes == NULL) {

@@ -111,7 +111,10 @@ static void obj_stl_ply_gltf_and_glb_give_the_same_cube(void **state)
 static void cube_scaled_and_moved_is_fitted(void **state)
 {
     (void)state;
-    open_cube(cube_gltf("[{\"mesh\":0,\"translation\":[10,-50,7],\"scale\":[0.5,0.5,0.5]}]"), 36);
+    struct model *model = open_good(cube_gltf("[{\"mesh\":0,\"translation\":[10,-50,7],\"scale\":[0.5,0.5,0.5]}]"));
+    assert_cube(model, 36);
+    assert_true(fabs(model->scale * .5 * sqrt(3) - 1) < 1e-6); /* half an edge of the cube: 1 in its file, now .5 */
+    model_close(model);
 }
 
 static void node_transforms_are_applied_in_their_order(void **state)

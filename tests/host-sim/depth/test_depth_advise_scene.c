@@ -24,6 +24,7 @@ static uint16_t shown[PIXELS];               /* in every format */
 static struct scene_surface surfaces[3];
 static struct scene_draw draws[1];
 static int open_status;
+static double file_scale;
 static unsigned shows, is_open;
 
 /* In place of depth_layers.c. */
@@ -38,6 +39,7 @@ int depth_layers_open(struct depth_layers *s, const struct depth_lab *of)
                                .draws = draws,
                                .surface_count = 3,
                                .draw_count = 1,
+                               .file_scale = file_scale,
                                .lens = {.kind = PH_PERSPECTIVE, .near_z = FX_ONE, .far_z = FX_INT(1000)}};
     is_open++;
     return open_status;
@@ -84,6 +86,7 @@ static int fresh(void **state)
                              .frames = 1,
                              .fov_deg = FX_INT(60)};
     open_status = 0;
+    file_scale = 0;
     shows = is_open = 0;
     return 0;
 }
@@ -146,6 +149,19 @@ static void the_grid_moves_leaning_surfaces_in_every_format(void **state)
     advise();
     says("fixed16,16,0,9.9,1000,3,3,2,66.67,0,0\n");
     says("2 of them in every format: the sub-pixel grid moves them more than they are apart.\n");
+}
+
+/* A house of 60 m is drawn with a radius of 1 m, and a poster hangs 1 mm from its wall. */
+static void a_gap_is_told_in_units_of_the_file_as_well(void **state)
+{
+    (void)state;
+    put_two(0, 10, .001 / 30);
+    advise();
+    assert_null(strstr(csv, "file"));
+    file_scale = 1 / 30.;
+    advise();
+    says("# The model is drawn with a radius of 1 m: 1 m here is 30 units of its file.\n");
+    says("1 pixels, 3.33e-05 m (0.001 units of the file) apart or more, the least at 10 m.");
 }
 
 /* Biases of 3 codes set the one in front apart by three more steps. */
@@ -266,6 +282,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(surfaces_fight_within_one_and_a_quarter_steps, fresh),
         cmocka_unit_test_setup(the_grid_moves_leaning_surfaces_in_every_format, fresh),
+        cmocka_unit_test_setup(a_gap_is_told_in_units_of_the_file_as_well, fresh),
         cmocka_unit_test_setup(depth_biases_set_surfaces_apart, fresh),
         cmocka_unit_test_setup(one_surface_fights_with_itself_if_it_is_lit, fresh),
         cmocka_unit_test_setup(wrong_pixels_are_counted_and_those_that_were_not_foreseen, fresh),

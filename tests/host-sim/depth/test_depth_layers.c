@@ -79,9 +79,9 @@ static int frame(struct demo_context *context, struct ph_renderer *r, uint32_t n
 
 int model_open(struct model **model, const char *path, const struct model_options *options)
 {
-    static uint8_t any;
+    static struct model any = {.scale = .25};
     assert_true(strcmp(path, "a model") == 0 && options->allow_outside);
-    *model = (struct model *)(void *)&any;
+    *model = &any;
     return open_status;
 }
 
@@ -321,6 +321,7 @@ static void what_cannot_be_opened_or_drawn_is_told(void **state)
     lab.view = "back";
     assert_int_equal(open_layers(), 0);
     assert_string_equal(s.context.view, "back");
+    assert_true(s.file_scale == .25);
     frame_status = -22;
     stderr_capture_begin(&said);
     const int status = depth_layers_find(&s, 8);
