@@ -91,7 +91,7 @@ static const struct register_block blocks[] = {
     {"OWN", OWN, 0x100, .per_core = true, REGISTER_LIST(own_rows)},
     {"RESETS", RESET, 0x100, .per_core = false, REGISTER_LIST(reset_rows)},
 };
-static const struct register_chip chip = {"CHIP", "its manual", REGISTER_LIST(blocks)};
+static const struct register_chip chip = {"CHIP", "its manual", REGISTER_LIST(blocks), RESET};
 
 static struct registers *r;
 
@@ -360,6 +360,33 @@ static void a_block_has_needs_of_all_accesses(void **state)
     reads(STATUS, 1);
 }
 
+static void a_block_that_is_put_into_reset_forgets_all(void **state)
+{
+    (void)state;
+    takes(SET_UP, 4);
+    takes(CONTROL, 0x31);
+    takes(LIST + 8, 1);
+    takes(OTHER, 5);
+    refuses(SET_UP, 5, "it is on");
+    takes(RESET, 0); /* it is no reset */
+    refuses(SET_UP, 5, "it is on");
+    takes(RESET, 1);
+    takes(RESET, 0);
+    reads(DONE, 1);
+    refuses(OTHER, 5, "not written");
+    refuses(CONTROL, 0x31, "no rate");
+    takes(CONTROL, 0x30);
+    takes(SET_UP, 5);
+}
+
+static void a_reset_leaves_other_blocks(void **state)
+{
+    (void)state;
+    assert_null(registers_write(r, 0, 1000, OTHER, 1, 4));
+    takes(RESET, 1);
+    assert_non_null(registers_write(r, 0, 1499, OTHER, 3, 4));
+}
+
 static void a_restart_forgets_all(void **state)
 {
     (void)state;
@@ -471,6 +498,8 @@ int main(void)
         FRESH(a_status_with_a_need_is_not_read_before),
         FRESH(each_core_has_its_own),
         FRESH(a_block_has_needs_of_all_accesses),
+        FRESH(a_block_that_is_put_into_reset_forgets_all),
+        FRESH(a_reset_leaves_other_blocks),
         FRESH(a_restart_forgets_all),
         FRESH(places_that_share_a_memory_are_found_again),
         cmocka_unit_test(the_tables_are_whole),

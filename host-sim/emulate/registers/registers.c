@@ -244,6 +244,42 @@ static bool is_part(const struct register_row *row, uint32_t address, uint32_t b
     return !row->narrow && (bytes != 4 || (address & 3) != 0);
 }
 
+/* Fills the cells of a block as the program finds them. Returns where the next block's begin. */
+static struct cell *start_block(struct cell *cell, const struct register_block *block)
+{
+    for (uint32_t i = 0; i < block->row_count; i++) {
+        for (uint32_t n = count_of(&block->rows[i]); n > 0; n--) {
+            *cell++ = (struct cell){.value = block->rows[i].start};
+        }
+    }
+    return cell;
+}
+
+/* Whether a block wants one of these bits of the chip's register of resets to be 0. */
+static bool is_reset_by(const struct register_chip *chip, const struct register_block *block, uint32_t bits)
+{
+    for (uint32_t i = 0; i < block->when_count; i++) {
+        const struct register_when *when = &block->when[i];
+        if (when->need == REGISTER_IS && when->address == chip->resets && (when->mask & bits) != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Blocks that these bits put into reset forget what was written and read. No core has such a block of its own. */
+static void reset_blocks(struct registers *r, uint32_t bits)
+{
+    struct cell *cell = r->cells;
+    for (uint32_t b = 0; b < r->chip->block_count; b++) {
+        const struct register_block *block = &r->chip->blocks[b];
+        if (is_reset_by(r->chip, block, bits)) {
+            start_block(cell, block);
+        }
+        cell += cells_of(block);
+    }
+}
+
 const char *registers_write(struct registers *r, uint32_t core, uint64_t time_ns, uint32_t address, uint32_t value,
                             uint32_t bytes)
 {
@@ -266,6 +302,9 @@ const char *registers_write(struct registers *r, uint32_t core, uint64_t time_ns
     why = why != NULL ? why : unmet(r, core, time_ns, place.row->when, place.row->when_count, was, is);
     why = why != NULL ? why : bits_are_wrong(place.row, is, text);
     keep(r, cell, time_ns, is, command);
+    if (place.block->base + place.row->offset == r->chip->resets) {
+        reset_blocks(r, is & ~was);
+    }
     return why != NULL ? object(r, &place, address, "=", value, why) : NULL;
 }
 
@@ -297,16 +336,10 @@ uint32_t registers_value(struct registers *r, uint32_t core, uint32_t address)
 
 void registers_restart(struct registers *r)
 {
-    memset(r->cells, 0, (size_t)r->cores * r->cell_count * sizeof r->cells[0]);
     struct cell *cell = r->cells;
     for (uint32_t core = 0; core < r->cores; core++) {
         for (uint32_t b = 0; b < r->chip->block_count; b++) {
-            const struct register_block *block = &r->chip->blocks[b];
-            for (uint32_t i = 0; i < block->row_count; i++) {
-                for (uint32_t n = count_of(&block->rows[i]); n > 0; n--) {
-                    (cell++)->value = block->rows[i].start;
-                }
-            }
+            cell = start_block(cell, &r->chip->blocks[b]);
         }
     }
 }

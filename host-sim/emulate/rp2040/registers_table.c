@@ -231,4 +231,4 @@ static const struct register_block blocks[] = {
     {"PPB", PPB_BASE, 0x1000, .per_core = true, REGISTER_LIST(ppb_rows)},
 };
 
-const struct register_chip rp2040_registers = {"RP2040", "RP2040 datasheet", REGISTER_LIST(blocks)};
+const struct register_chip rp2040_registers = {"RP2040", "RP2040 datasheet", REGISTER_LIST(blocks), RESETS_RESET};

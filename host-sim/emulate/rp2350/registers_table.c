@@ -258,4 +258,4 @@ static const struct register_block blocks[] = {
     {"PPB", PPB_BASE, 0x1000, .per_core = true, REGISTER_LIST(ppb_rows)},
 };
 
-const struct register_chip rp2350_registers = {"RP2350", "RP2350 datasheet", REGISTER_LIST(blocks)};
+const struct register_chip rp2350_registers = {"RP2350", "RP2350 datasheet", REGISTER_LIST(blocks), RESETS_RESET};
