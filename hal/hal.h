@@ -94,7 +94,7 @@ struct hal_ops {
 
     /*
      * Sends what bus_write keeps back, and does not wait; so do bus_wait and a write with another D/C. With it
-     * bus_write copies, and keeps bytes back to make its transfers as long as it can. NULL: bus_write keeps nothing
+     * bus_write copies, and may keep bytes back to make its transfers as long as it can. NULL: bus_write keeps nothing
      * back.
      */
     void (*bus_flush)(void *context);

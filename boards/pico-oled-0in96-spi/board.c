@@ -1,6 +1,6 @@
 /*
  * A module with seven pins (GND, VCC, D0, D1, RES, DC, CS) and four wires of SPI. A1h and C8h are those of Adafruit's
- * adafruit_ssd1306.py. Modules whose resistors are set for I2C have no board here yet.
+ * adafruit_ssd1306.py. Modules whose resistors are set for I2C: pico-oled-0in96-i2c.
  */
 #include "boards.h"
 

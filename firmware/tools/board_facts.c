@@ -38,6 +38,7 @@ static void put_pins(void)
     printf("#define BOARD_NAME \"%s\"\n", BOARD_HERE.name);
     printf("#define BOARD_CLOCK_PIN %u\n#define BOARD_DATA_PIN %u\n", (unsigned)pins->clock.number,
            (unsigned)pins->data.number);
+    printf("#define BOARD_BUS %s\n", BOARD_HERE.i2c_address != 0 ? "FUNCTION_I2C" : "FUNCTION_SPI");
     printf("#define BOARD_PINS");
     put_pin(&pins->clock, "clock");
     put_pin(&pins->data, "data");

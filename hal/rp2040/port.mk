@@ -2,7 +2,7 @@
 PORT_CPU = armv6m
 PORT_FLAGS = -mcpu=cortex-m0plus -mthumb -DCODE_TIERS
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/chips/rp2/cores2.c,hal/chips/cortexm/one_core.c) \
-           $(addprefix hal/chips/rp2/,start.c guard.c clocks.c facts.c rp2.c spi.c pins.c uart.c entry.S) $(addprefix hal/rp2040/,divide.c flash.c boot2.S vectors.S) firmware/bare/armv6m/memory.S
+           $(addprefix hal/chips/rp2/,start.c guard.c clocks.c facts.c rp2.c $(or $(PORT_BUS),spi).c pins.c uart.c entry.S) $(addprefix hal/rp2040/,divide.c flash.c boot2.S vectors.S) firmware/bare/armv6m/memory.S
 PORT_CORES = 1 2
 PORT_RAM_CODES = small
 PORT_INFO = hal/chips/rp2/binary_info.c

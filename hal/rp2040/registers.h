@@ -2,7 +2,7 @@
  * registers: the RP2040's base addresses and what else only it has; hal/rp2350/registers.h has the RP2350's, and
  * chips/rp2/peripherals.h what is the same in both. Names, addresses and bits are those of the RP2040 datasheet
  * (Raspberry Pi Ltd), sections 2.3 (SIO), 2.5 (DMA), 2.10 (voltage regulator and chip reset), 2.13 (power-on state
- * machine), 2.14 (resets), 2.15 .. 2.18 (clocks), 2.19 (GPIO), 2.20 (SYSINFO), 4.2 (UART), 4.4 (SPI), 4.6 (timer), 4.7
+ * machine), 2.14 (resets), 2.15 .. 2.18 (clocks), 2.19 (GPIO), 2.20 (SYSINFO), 4.2 (UART), 4.3 (I2C), 4.4 (SPI), 4.6 (timer), 4.7
  * (watchdog).
  */
 #ifndef RP2040_REGISTERS_H
@@ -24,6 +24,7 @@
 #define FC0_BASE        (CLOCKS_BASE + 0x80)
 #define CHIP_RESET      0x40064008
 #define SPI_BASE(unit)  (0x4003c000 + 0x4000 * (uint32_t)(unit))
+#define I2C_BASE(unit)  (0x40044000 + 0x4000 * (uint32_t)(unit))
 
 #include "chips/rp2/peripherals.h"
 
@@ -38,6 +39,7 @@ enum {
     RESET_TIMER = 1 << 21,
     RESET_UART0 = 1 << 22,
 };
+#define RESET_I2C(unit) (1U << (3 + (unit)))
 enum { PSM_OSCILLATORS = 3, PSM_PROC1 = 1 << 16, PSM_ALL = 0x1ffff };
 
 #define WATCHDOG_TICK 0x4005802c
@@ -60,6 +62,7 @@ enum { PSM_OSCILLATORS = 3, PSM_PROC1 = 1 << 16, PSM_ALL = 0x1ffff };
 #define DMA_TREQ_SPI_TX(unit) ((16U + 2U * (uint32_t)(unit)) << 15)
 
 enum { IRQ_TIMER_0 = 0, IRQ_DMA_0 = 11 };
+#define IRQ_I2C(unit) (23 + (unit))
 
 /* Bits of CHIP_RESET. Each of them is written as an element of an array. */
 #define CHIP_RESETS                                                                                                    \

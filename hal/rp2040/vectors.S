@@ -5,5 +5,7 @@
     .word 0, 0, 0, 0, 0, 0, 0, rp2_on_fault, 0, 0, rp2_on_fault, rp2_tick /* SVC, PendSV, SysTick */
     .word rp2_timer_interrupt                                /* IRQ 0: TIMER_0 */
     .word 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
-    .word rp2_spi_interrupt                                  /* IRQ 11: DMA_0 */
-    .word 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
+    .word rp2_bus_interrupt                                  /* IRQ 11: DMA_0 */
+    .word 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
+    .word rp2_bus_interrupt, rp2_bus_interrupt               /* IRQ 23, 24: I2C0, I2C1 */
+    .word 0

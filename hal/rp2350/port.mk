@@ -1,5 +1,6 @@
 # RP2350 with its Cortex-M33 or its Hazard3 cores: the sources that it shares with the RP2040 (hal/chips/rp2), with
 # its own registers and memory, and what differs by instruction set (ISA) in a folder. firmware/firmware.mk explains these variables.
+$(if $(PORT_BUS),$(error PORT_BUS=$(PORT_BUS): $(BOARD) has an RP2350, whose port has no I2C yet; that of the RP2040 has))
 PORT_ISAS = arm riscv
 PORT_CPU = $(if $(filter riscv,$(ISA)),rv32,armv7m)
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/chips/rp2/cores2.c,hal/chips/cortexm/one_core.c) \

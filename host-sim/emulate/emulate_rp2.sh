@@ -57,8 +57,14 @@ shift 3
 
 board=$("${HOSTCC:-cc}" -E -P -Ihal -Iboards "${BOARD_HOME:-boards/$BOARD}/board.c") || stop "$BOARD: its board.c is wrong"
 pin() { sed -n "s/.*\.$1 = { *1, *[01], *(\([0-9]*\)).*/\1/p" <<<"$board"; } # { wired, active low, (number), line }
-[ -n "$(pin dc)" ] || stop "$BOARD: no D/C pin (.dc = BOARD_PIN(n)) in its board.c"
-[ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
+i2c=$(sed -n 's/.*\.i2c_address = 0x\([0-9A-Fa-f]*\).*/\1/p' <<<"$board")
+if [ -n "$i2c" ]; then
+    panel=(--i2c "$i2c,$(pin clock),$(pin data)")
+else
+    [ -n "$(pin dc)" ] || stop "$BOARD: no D/C pin (.dc = BOARD_PIN(n)) in its board.c"
+    [ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
+    panel=(--dc "$(pin dc)" --select "$(pin select)")
+fi
 
 # The functions that begin a frame and write to the bus; a program other than the demos may have none.
 calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("runner_send" in at) { print at["runner_send"] "," at["rp2_bus_write"] "," at["rp2_bus_write_rows"] "," at["runner_scene"] "," at["runner_ahead"] } }')
@@ -71,7 +77,7 @@ if [ "${CHIP-}" != rp2350 ]; then
     checker=$!
     emulator+=(--accesses "$accesses")
 fi
-"${emulator[@]}" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \
+"${emulator[@]}" "${panel[@]}" --cores "${CORES:-2}" \
     --frames "$frames" --events "$out/events" --report "$out/report" ${calls:+--calls "$calls"} "$@" "${elf%.elf}.bin" &
 node=$!
 wait "$node" || { node='' && exit 1; }

@@ -152,7 +152,7 @@ frames_from_ram() { # flash is slow, see rp2040.ld
     local symbol
     for symbol in ph_draw_band ph_draw_fast_rows draw_other ph_fill ph_small_gouraud ph_span_flat ph_texture_tile ph_texture_small \
         ph_draw_small_texels ph_vertices ph_draw_mesh ph_transform_points ph_cull setup_front ph_setup_small __aeabi_uidiv __muldi3 memset 'sign_of[.a-z0-9]*' 'go_on[.a-z0-9]*' \
-        rp2_spi_interrupt; do
+        rp2_bus_interrupt; do
         arm-none-eabi-nm "$B/firmware/$board-demos.elf" | grep -q "^2000.* $symbol\$" || { echo "$symbol" && return 1; }
     done
 }

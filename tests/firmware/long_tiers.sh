@@ -55,7 +55,7 @@ reached_lies_in_ram() { # folder
     layout "$dir/$1/build/firmware/pico-display-demos.elf" >"$dir/layout"
     awk -F'"' '/^edge:/ { from[++n] = $2; to[n] = $4 }
         END {
-            reached["rp2_spi_interrupt"]
+            reached["rp2_bus_interrupt"]
             for (more = 1; more;) { more = 0; for (i = 1; i <= n; i++) { if (from[i] in reached && !(to[i] in reached)) { reached[to[i]]; more = 1 } } }
             for (f in reached) { sub(/.*:/, "", f); print f }
         }' "$graph" >"$dir/reached"

@@ -64,7 +64,7 @@ other_chips_definition_is_seen() {
 vectors_are_at_the_beginning() { # stack, reset; timer 0 is interrupt 0, DMA 0 is interrupt 10
     mapfile -t vector < <(words "$image.bin" | head -n 68)
     [ "${vector[0]}" = "$(symbol ld_stack_top)" ] && [ "${vector[1]}" = "$(odd "$(symbol rp2_reset)")" ] &&
-        [ "${vector[16]}" = "$(odd "$(symbol rp2_timer_interrupt)")" ] && [ "${vector[26]}" = "$(odd "$(symbol rp2_spi_interrupt)")" ]
+        [ "${vector[16]}" = "$(odd "$(symbol rp2_timer_interrupt)")" ] && [ "${vector[26]}" = "$(odd "$(symbol rp2_bus_interrupt)")" ]
 }
 
 # As picotool 2.1 writes it (elf2uf2.cpp, gen_abs_block): family "absolute", the first of two, in the last page of 16 MB,

@@ -89,6 +89,7 @@ static void units_are_those_of_the_ports(void **state)
         }
         assert_true(file == NULL || unit != BOARD_SPI_ANY);
         assert_int_equal(board_list[i]->spi_unit, unit);
+        assert_true(file == NULL || (strstr(text, "PORT_BUS = i2c\n") != NULL) == (board_list[i]->i2c_address != 0));
     }
 }
 

@@ -126,6 +126,12 @@ board_is_refused() { # name, words
     grep -qF "$2" "$dir/refused" || { cat "$dir/refused"; return 1; }
 }
 
+an_rp2350_has_no_i2c() {
+    mkdir -p "$dir/i2c/two" && printf 'PORT_BUS = i2c\ninclude boards/families/pico2.mk\n' >"$dir/i2c/two/board.mk" && echo 'int x;' >"$dir/i2c/two/board.c"
+    make -s B="$B/make-boards" BOARD_DIR="$dir/i2c" BOARD=two firmware >"$dir/refused" 2>&1 && return 1
+    cat "$dir/refused" && [ "$(wc -l <"$dir/refused")" = 1 ] && grep -qF 'PORT_BUS=i2c: two has an RP2350, whose port has no I2C yet' "$dir/refused"
+}
+
 boards_that_cannot_be_are_refused() {
     board_is_refused odd/name 'there is no NAME/board.c in it' && board_is_refused 'my!kit' "a board's name has a-z, 0-9 and - only" &&
         board_is_refused rpi-pirate-audio 'is a board of Pinhole: take another name' &&
@@ -157,6 +163,7 @@ check "the_core_cannot_include_the_hal" the_core_cannot_include_the_hal
 check "what_is_installed_runs_and_uninstalls" installs_and_uninstalls
 check "boards_demos_and_panels_come_from_external_folders" boards_demos_and_panels_come_from_elsewhere
 check "a folder without boards, odd names, names that are taken and wrong definitions are refused" boards_that_cannot_be_are_refused
+check "an RP2350 board on I2C is refused in one line" an_rp2350_has_no_i2c
 check "demos_and_panels_that_cannot_be_are_refused" demos_and_panels_that_cannot_be_are_refused
 check "without_the_libraries_none_is_linked" needs_no_library
 if command -v arm-none-eabi-gcc >/dev/null; then

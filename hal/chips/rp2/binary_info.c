@@ -50,7 +50,7 @@ static const struct entry *const table[] = {
 #endif
     ENTRY(ID_AND_INT, BINARY_END, ld_flash_end),
     TWO_PINS(FUNCTION_UART, 0, 1),
-    TWO_PINS(FUNCTION_SPI, BOARD_CLOCK_PIN, BOARD_DATA_PIN),
+    TWO_PINS(BOARD_BUS, BOARD_CLOCK_PIN, BOARD_DATA_PIN),
     BOARD_PINS /* the port's log needs no names */
 };
 

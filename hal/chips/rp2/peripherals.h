@@ -58,7 +58,7 @@ enum { FC0_SRC_ROSC = 3, FC0_SRC_CLK_SYS = 9, FC0_SRC_CLK_PERI = 10 };
 #define IO_BANK0_CTRL(pin)  (IO_BANK0_BASE + 4 + 8 * (uint32_t)(pin))
 #define IO_BANK0_INTR(pin)  (IO_BANK0_INTR0 + 4 * ((uint32_t)(pin) / 8))
 #define INTR_EDGE_HIGH(pin) (8U << 4 * ((uint32_t)(pin) % 8))
-enum { FUNCTION_SPI = 1, FUNCTION_UART = 2, FUNCTION_SIO = 5 };
+enum { FUNCTION_SPI = 1, FUNCTION_UART = 2, FUNCTION_I2C = 3, FUNCTION_SIO = 5 };
 
 /* On an RP2350 a write without bit 8 also ends the isolation in which a reset leaves a pad. */
 #define PADS_BANK0(pin) (PADS_BANK0_BASE + 4 + 4 * (uint32_t)(pin))
@@ -86,6 +86,25 @@ enum { FIFO_READABLE = 1, FIFO_WRITABLE = 2 };
 #define SPI_SSPCPSR(unit)  (SPI_BASE(unit) + 0x10)
 #define SPI_SSPDMACR(unit) (SPI_BASE(unit) + 0x24)
 enum { SSPSR_TNF = 2, SSPSR_BSY = 16, SSPCR1_SSE = 2, SSPDMACR_TXDMAE = 2 };
+
+/* Registers of an I2C unit; unit: 0 or 1. */
+#define IC_CON(unit)         I2C_BASE(unit)
+#define IC_TAR(unit)         (I2C_BASE(unit) + 0x04)
+#define IC_DATA_CMD(unit)    (I2C_BASE(unit) + 0x10)
+#define IC_FS_SCL_HCNT(unit) (I2C_BASE(unit) + 0x1c)
+#define IC_FS_SCL_LCNT(unit) (I2C_BASE(unit) + 0x20)
+#define IC_INTR_STAT(unit)   (I2C_BASE(unit) + 0x2c)
+#define IC_INTR_MASK(unit)   (I2C_BASE(unit) + 0x30)
+#define IC_TX_TL(unit)       (I2C_BASE(unit) + 0x3c)
+#define IC_CLR_TX_ABRT(unit) (I2C_BASE(unit) + 0x54)
+#define IC_ENABLE(unit)      (I2C_BASE(unit) + 0x6c)
+#define IC_STATUS(unit)      (I2C_BASE(unit) + 0x70)
+#define IC_SDA_HOLD(unit)    (I2C_BASE(unit) + 0x7c)
+#define IC_FS_SPKLEN(unit)   (I2C_BASE(unit) + 0xa0)
+enum { CON_MASTER = 1, CON_FAST = 2 << 1, CON_RESTART = 1 << 5, CON_NO_SLAVE = 1 << 6 };
+enum { DATA_CMD_STOP = 1 << 9 };
+enum { INTR_TX_EMPTY = 1 << 4, INTR_TX_ABRT = 1 << 6 };
+enum { STATUS_TFNF = 1 << 1, STATUS_TFE = 1 << 2, STATUS_MASTER = 1 << 5 };
 
 #define DMA_CH0_READ_ADDR          0x50000000
 #define DMA_CH0_WRITE_ADDR         0x50000004

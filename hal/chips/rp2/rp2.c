@@ -35,8 +35,7 @@ static int rp2_open(void *context, const struct board *board)
     }
     REG(TIMER_INTE) = 1;
     cpu_interrupt_enable(IRQ_TIMER_0);
-    rp2_spi_open(board);
-    return HAL_OK;
+    return rp2_bus_open(board);
 }
 
 static int rp2_pin_set(void *context, enum hal_pin pin, bool level)
@@ -103,7 +102,7 @@ static uint32_t rp2_buttons(void *context)
 
 static void rp2_close(void *context)
 {
-    rp2_spi_close();
+    rp2_bus_close();
     rp2_pin_set(context, HAL_PIN_BACKLIGHT, false);
 }
 
@@ -111,7 +110,8 @@ static void rp2_close(void *context)
     {                                                                                                                  \
         .name = "rp2", .open = rp2_open, .bus_clock = rp2_bus_clock, .bus_write = rp2_bus_write,                       \
         .bus_write_rows = rp2_bus_write_rows, .bus_queue = rp2_bus_queue, .bus_written = rp2_bus_written,              \
-        .bus_until = rp2_bus_until, .bus_wait = rp2_bus_wait, .pin_set = rp2_pin_set, .te_wait = (te),                 \
+        .bus_until = rp2_bus_until, .bus_flush = rp2_bus_flush, .bus_wait = rp2_bus_wait, .pin_set = rp2_pin_set,      \
+        .te_wait = (te),                                                                                               \
         .time_us = rp2_time_us, .delay_us = rp2_delay_us, .buttons = rp2_buttons, .close = rp2_close,                  \
     }
 

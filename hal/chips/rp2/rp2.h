@@ -4,6 +4,7 @@
  *   entry.S    reset (of Arm cores)                start.c              start, faults, the end
  *   clocks.c   12 MHz crystal -> 125 or 150 MHz    facts.c              what the chip says of itself
  *   rp2.c      struct hal_ops, USB boot loader     spi.c                the bus: SPI and one channel of DMA
+ *                                                  i2c.c                .. or I2C, by PORT_BUS of board.mk
  *   pins.c     pins                                uart.c               log: UART0, TX GP0, RX GP1
  *   cores2.c   the second core (CORES=2)           guard.c              what ends a stack that runs over
  *   binary_info.c   what picotool shows of an image
@@ -12,10 +13,10 @@
  * need to know of chip and core, vectors, linker script and flash.c. The RP2040 also has boot2.S, the second stage of
  * its boot loader, and divide.c, / and % by the SIO's divider.
  *
- * Calls run one way: entry.S, start.c, rp2.c, spi.c and uart.c, pins.c.
+ * Calls run one way: entry.S, start.c, rp2.c, spi.c (or i2c.c) and uart.c, pins.c.
  *
- * Core 0 sleeps (WFE) while it waits for the bus or an alarm. Two interrupts wake it. The handler of the DMA interrupt
- * also starts the next write on the bus.
+ * Core 0 sleeps (WFE) while it waits for the bus or an alarm. Two interrupts wake it. The handler of the bus (of the
+ * DMA, or of the I2C unit) also starts the next write.
  */
 #ifndef RP2_H
 #define RP2_H
@@ -36,15 +37,17 @@ void rp2_pin_function(uint32_t pin, uint32_t function);
 void rp2_pin_write(uint32_t pin, bool level);
 
 /* The bus; there is one. Operations of struct hal_ops ignore their context. */
-void rp2_spi_open(const struct board *board);
-void rp2_spi_close(void);
+int rp2_bus_open(const struct board *board);
+void rp2_bus_close(void);
 int32_t rp2_bus_clock(void *context, uint32_t hz);
 int rp2_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n);
 int rp2_bus_write_rows(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows);
-void rp2_bus_queue(void *context, bool on);
-uint32_t rp2_bus_written(void *context);
-int rp2_bus_until(void *context, uint32_t written);
 int rp2_bus_wait(void *context);
+/* spi.c keeps a queue, i2c.c copies. What a bus does not define is NULL in struct hal_ops. */
+__attribute__((weak)) void rp2_bus_queue(void *context, bool on);
+__attribute__((weak)) uint32_t rp2_bus_written(void *context);
+__attribute__((weak)) int rp2_bus_until(void *context, uint32_t written);
+__attribute__((weak)) void rp2_bus_flush(void *context);
 
 /*
  * A stack that runs over meets a region that the MPU forbids. An ARMv6-M core stacks the frame of its fault there, too,
@@ -62,8 +65,8 @@ bool rp2_watchdog_bit(void);
 /* Handler of SysTick on both cores. */
 void rp2_tick(void);
 
-/* Handlers of DMA_IRQ_0 and TIMER_IRQ_0. */
-void rp2_spi_interrupt(void);
+/* Handlers of the bus's interrupt and of TIMER_IRQ_0. */
+void rp2_bus_interrupt(void);
 void rp2_timer_interrupt(void);
 
 /* Makes the panel dark at once, whatever bus and pins do: turns off its backlight and resets it, where these are wired.

@@ -131,7 +131,7 @@ HAL_TIER(interrupt) static void go_on(void)
 }
 
 /* Interrupt: the DMA has read a whole row. */
-HAL_TIER(interrupt) void rp2_spi_interrupt(void)
+HAL_TIER(interrupt) void rp2_bus_interrupt(void)
 {
     REG(DMA_INTS0) = 1;
     if (--spi.rows_left > 0) {
@@ -158,7 +158,7 @@ static void spi_pin(const struct board_pin *pin)
     REG(PADS_BANK0(pin->number)) = PAD_FAST | PAD_8_MA | PAD_INPUT;
 }
 
-void rp2_spi_open(const struct board *board)
+int rp2_bus_open(const struct board *board)
 {
     const struct board_pins *pins = &board->pins;
     spi.unit = board->spi_bus;
@@ -179,6 +179,7 @@ void rp2_spi_open(const struct board *board)
     REG(DMA_INTE0) = 1;
     cpu_interrupt_enable(IRQ_DMA_0);
     rp2_bus_clock(NULL, 1000000);
+    return HAL_OK;
 }
 
 int32_t rp2_bus_clock(void *context, uint32_t hz)
@@ -308,7 +309,7 @@ int rp2_bus_wait(void *context)
     return HAL_OK;
 }
 
-void rp2_spi_close(void)
+void rp2_bus_close(void)
 {
     rp2_bus_wait(NULL);
     REG(SPI_SSPCR1(spi.unit)) = 0;

@@ -10,7 +10,7 @@
     .word 0, 0, 0, rp2_on_fault, rp2_on_fault, 0, rp2_on_fault, rp2_tick /* SVC, debug, PendSV, SysTick */
     .word rp2_timer_interrupt                                /* IRQ 0: TIMER0_0 */
     .word 0, 0, 0, 0, 0, 0, 0, 0, 0
-    .word rp2_spi_interrupt                                  /* IRQ 10: DMA_0 */
+    .word rp2_bus_interrupt                                  /* IRQ 10: DMA_0 */
     .fill 41, 4, 0                                              /* to IRQ 51 */
 
     .word 0xffffded3

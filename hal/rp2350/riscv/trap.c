@@ -23,7 +23,7 @@ __attribute__((interrupt("machine"))) void rp2350_external(void)
         if (next / 4 == IRQ_TIMER_0) {
             rp2_timer_interrupt();
         } else {
-            rp2_spi_interrupt();
+            rp2_bus_interrupt();
         }
         CSR_READ(MEINEXT, next);
     }

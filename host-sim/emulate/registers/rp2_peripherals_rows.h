@@ -263,7 +263,8 @@ static const struct register_field uart_pin_fields[] = {
     {"FUNCSEL", 0, 5, FUNCTION_UART, FUNCTION_UART, "UART0: TX of GP0, RX of GP1"},
     {"FUNCSEL", 0, 5, FUNCTION_SIO, FUNCTION_SIO, "a pin of SIO"},
 };
-static const struct register_field sio_pin_fields[] = {
+static const struct register_field i2c_pin_fields[] = {
+    {"FUNCSEL", 0, 5, FUNCTION_I2C, FUNCTION_I2C, "I2C0's data where number % 4 is 0, its clock where it is 1"},
     {"FUNCSEL", 0, 5, FUNCTION_SIO, FUNCTION_SIO, "a pin of SIO"},
 };
 static const struct register_field spi_pin_fields[] = {
@@ -286,8 +287,8 @@ static const struct register_row io_bank0_rows[] = {
     {"GPIO0_1_CTRL", 0x04, 2, 8, .start = 31, REGISTER_LIST(uart_pin_fields), .source = S("2.19.2", "9.4")},
     {"GPIO2_6_.._CTRL", 0x14, 7, 32, .start = 31, REGISTER_LIST(spi_pin_fields), .source = S("2.19.2", "9.4")},
     {"GPIO3_7_.._CTRL", 0x1c, 7, 32, .start = 31, REGISTER_LIST(spi_pin_fields), .source = S("2.19.2", "9.4")},
-    {"GPIO4_8_.._CTRL", 0x24, 7, 32, .start = 31, REGISTER_LIST(sio_pin_fields), .source = S("2.19.2", "9.4")},
-    {"GPIO5_9_.._CTRL", 0x2c, 7, 32, .start = 31, REGISTER_LIST(sio_pin_fields), .source = S("2.19.2", "9.4")},
+    {"GPIO4_8_.._CTRL", 0x24, 7, 32, .start = 31, REGISTER_LIST(i2c_pin_fields), .source = S("2.19.2", "9.4")},
+    {"GPIO5_9_.._CTRL", 0x2c, 7, 32, .start = 31, REGISTER_LIST(i2c_pin_fields), .source = S("2.19.2", "9.4")},
     {"INTR", IO_BANK0_INTR, 4, 4, .kind = REGISTER_COMMAND, .start = 0, REGISTER_LIST(edge_fields),
      .source = S("2.19.6", "9.11")},
 };

@@ -59,7 +59,7 @@
 #define DMA_HALFWORDS   (1U << 2)
 #define FIFO_VLD        1U
 #define FIFO_RDY        2U
-enum { FUNCTION_SPI = 1, FUNCTION_UART = 2, FUNCTION_SIO = 5 };
+enum { FUNCTION_SPI = 1, FUNCTION_UART = 2, FUNCTION_I2C = 3, FUNCTION_SIO = 5 };
 
 /* Parts of a struct register_when. */
 #define IS(at, bits, is)       .need = REGISTER_IS, .address = (at), .mask = (bits), .value = (is)

@@ -15,7 +15,10 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
                       load of each core in %
   --flash NAME        the flash chip, of flash_chips.mjs (w25q16jv); at the end stderr has how it is read
   --cores 1|2         cores that the chip has (2)
-  --dc PIN            the panel's D/C (required)
+  --dc PIN            the panel's D/C (required for a panel on SPI)
+  --i2c ADDRESS,CLOCK,DATA  the panel is on I2C0: its address (hexadecimal) and its pins
+  --i2c-fault NAME=N,..  answers: the panel acknowledges from N us on; gone: .. until N us; held: at power-on it holds the data
+                      line for N clocks; stuck: from N us on the clock line stays low
   --select PIN        the panel's chip select
   --press FRAME:PINS  from this frame (-1: power-on) on the pins (12+13, or none) are low; may be given several times
   --clock US          what the chip's timer tells at power-on (0)
@@ -43,6 +46,7 @@ const { values: options, positionals } = parseArgs({
     modules: { type: 'string' }, frames: { type: 'string', default: '16' }, events: { type: 'string', default: '-' },
     flash: { type: 'string', default: 'w25q16jv' },
     report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
+    i2c: { type: 'string' }, 'i2c-fault': { type: 'string', default: '' },
     press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
     jump: { type: 'string', multiple: true, default: [] },
     accesses: { type: 'string' }, delays: { type: 'string' }, clock: { type: 'string', default: '0' }, charge: { type: 'string', default: '0' }, fault: { type: 'string' }, chip: { type: 'string', default: '' }, calls: { type: 'string' },
@@ -54,8 +58,8 @@ if (options.help) {
   console.log(HELP);
   process.exit(0);
 }
-if (positionals.length !== 1 || options.modules === undefined || options.dc === undefined) {
-  console.error('emulate.mjs: --modules DIR, --dc PIN and one image are wanted; see --help');
+if (positionals.length !== 1 || options.modules === undefined || (options.dc === undefined && options.i2c === undefined)) {
+  console.error('emulate.mjs: --modules DIR, --dc PIN or --i2c, and one image are wanted; see --help');
   process.exit(2);
 }
 
@@ -136,6 +140,12 @@ function makeRecorder(machine, fd) {
         waiting = [];
       }
     },
+    message(address, bytes, start, end, hz) { // levels that change in it come after it
+      flush();
+      put(`${ns(start)} i2c ${address.toString(16)} ${Math.round(hz)} ${ns(end)} ${Buffer.from(bytes).toString('hex')}`);
+      waiting.forEach(([, levels]) => level(end, levels));
+      waiting = [];
+    },
     note(text) {
       flush();
       put(`${ns(machine.time)} note ${text}`);
@@ -158,10 +168,21 @@ let objections = 0;
 if (CHIPS[options.flash] === undefined) {
   fail(`no such flash: ${options.flash}; there are: ${Object.keys(CHIPS).join(' ')}`);
 }
+// Numbers by name: "ring=6000000,id=2".
+function byName(text) {
+  return Object.fromEntries(text.split(',').filter((part) => part !== '').map((part) => part.split('=')).map(([name, n]) => [name, Number(n)]));
+}
+
+function i2cOf(text, faults) {
+  const [address, clock, data] = text.split(','), { answers = 0, gone = Infinity, held = 0, stuck = Infinity } = byName(faults);
+  return { address: parseInt(address, 16), clock: Number(clock), data: Number(data), answersUs: answers, goneUs: gone, heldFor: held, stuckUs: stuck };
+}
+
 const machine = makeMachine(lib, {
   cores: Number(options.cores),
   chip: options.flash,
-  facts: Object.fromEntries(options.chip.split(',').filter((text) => text !== '').map((text) => text.split('=')).map(([name, n]) => [name, Number(n)])),
+  facts: byName(options.chip),
+  i2c: options.i2c === undefined ? null : i2cOf(options.i2c, options['i2c-fault']),
   warn(text) {
     objections++;
     if (objections <= 10) {
@@ -296,6 +317,13 @@ machine.onWord = (value, bits, start, end, hz, mode) => {
   busTime += end - start;
   out += bits / 8;
   recorder.word(value, bits, start, end, hz, mode);
+  endFrames();
+};
+
+machine.onMessage = (address, bytes, start, end, hz) => {
+  busTime += end - start;
+  out += bytes.length - 1; // behind the control byte
+  recorder.message(address, bytes, start, end, hz);
   endFrames();
 };
 

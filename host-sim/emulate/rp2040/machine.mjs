@@ -1,8 +1,8 @@
 // An RP2040 with the parts that rp2040js lacks: a wire that takes time, flash behind a cache (flash.mjs), a second core, a
 // few words of the boot ROM, an MPU, lockup, and a watchdog that resets.
 //
-//   const machine = makeMachine(rp2040js, { cores, warn, chip, facts });    warn(text): the emulator objects to something;
-//                                              chip: a name of flash_chips.mjs; facts: see facts.mjs
+//   const machine = makeMachine(rp2040js, { cores, warn, chip, facts, i2c });    warn(text): the emulator objects to something;
+//                                              chip: a name of flash_chips.mjs; facts: see facts.mjs; i2c: see i2c.mjs, or null
 //   machine.load(image);                                       Uint8Array from the first byte of flash
 //   machine.run(() => stop);                                   until stop() is true or the image has ended
 //
@@ -17,6 +17,7 @@
 import { addFacts } from './facts.mjs';
 import { makeFlash } from './flash.mjs';
 import { CHIPS } from './flash_chips.mjs';
+import { addI2c } from './i2c.mjs';
 
 const BOOT2_BYTES = 256;
 const BOOT2_PLACE = 0x20041f00;
@@ -327,12 +328,12 @@ function addLogger(machine) {
   console.warn = (...text) => machine.warn(text.join(' '));
 }
 
-export function makeMachine(lib, { cores = 1, warn, chip = 'w25q16jv', facts = {} }) {
+export function makeMachine(lib, { cores = 1, warn, chip = 'w25q16jv', facts = {}, i2c = null }) {
   const mcu = new lib.RP2040();
   const { clock } = mcu;
   const machine = {
     mcu, warn, calls: new Map(), freeWire: false, freeFlash: false, resting: 0, misses: 0, chargeUs: 0, levels: 0, wordInFlight: false, ended: null, cores: [],
-    onWord() {}, onWordStart() {}, onLevels() {}, onUart() {}, onTrouble() {}, onAccess() {}, onRestart() {}, delay: () => 0,
+    onWord() {}, onWordStart() {}, onMessage() {}, holdData() {}, onLevels() {}, onUart() {}, onTrouble() {}, onAccess() {}, onRestart() {}, delay: () => 0,
     end(why) { machine.ended = why; },
     get time() { return clock.nanos; },
   };
@@ -350,6 +351,9 @@ export function makeMachine(lib, { cores = 1, warn, chip = 'w25q16jv', facts = {
   addWatchdog(machine, fifos);
   addFacts(machine, facts);
   mcu.spi.forEach((spi) => addWireTime(machine, spi));
+  if (i2c !== null) {
+    addI2c(machine, i2c);
+  }
   mcu.uart[0].onByte = (byte) => machine.onUart(byte);
   addRom(machine);
 
@@ -372,6 +376,7 @@ export function makeMachine(lib, { cores = 1, warn, chip = 'w25q16jv', facts = {
     }
     machine.boot();
     watchPins(machine);
+    machine.holdData();
   };
 
   machine.boot = () => {

@@ -15,6 +15,7 @@
 #define PLL_SYS_BASE    0x40028000
 #define UART0_BASE      0x40034000
 #define SPI_BASE(unit)  ((unit) == 0 ? 0x4003c000U : 0x40040000U)
+#define I2C0_BASE       0x40044000
 #define TIMER_BASE      0x40054000
 #define WATCHDOG_BASE   0x40058000
 #define VREG_BASE       0x40064000
@@ -36,6 +37,7 @@ enum { SIO_GPIO_OUT_SET = 0x14, SIO_GPIO_OUT_CLR = 0x18, SIO_GPIO_OE_SET = 0x24,
 enum { IO_BANK0_INTR = 0xf0, TIMER_INTR = 0x34, TIMER_INTE = 0x38, FC0 = 0x80, CHIP_RESET = 0x08 };
 
 #define RESET_DMA        (1U << 2)
+#define RESET_I2C0       (1U << 3)
 #define RESET_IO_BANK0   (1U << 5)
 #define RESET_PADS_BANK0 (1U << 8)
 #define RESET_PLL_SYS    (1U << 12)
@@ -57,9 +59,10 @@ enum { IO_BANK0_INTR = 0xf0, TIMER_INTR = 0x34, TIMER_INTE = 0x38, FC0 = 0x80, C
 #define RESETS_NEEDS
 
 static const struct register_field resets_fields[] = {
-    {"DMA", 2, 1, 0, 1, "in reset"},      {"IO_BANK0", 5, 1, 0, 1, "in reset"}, {"PADS_BANK0", 8, 1, 0, 1, "in reset"},
-    {"PLL_SYS", 12, 1, 0, 1, "in reset"}, {"SPI0", 16, 1, 0, 1, "in reset"},    {"SPI1", 17, 1, 0, 1, "in reset"},
-    {"SYSINFO", 19, 1, 0, 1, "in reset"}, {"TIMER", 21, 1, 0, 1, "in reset"},   {"UART0", 22, 1, 0, 1, "in reset"},
+    {"DMA", 2, 1, 0, 1, "in reset"},        {"I2C0", 3, 1, 0, 1, "in reset"},     {"IO_BANK0", 5, 1, 0, 1, "in reset"},
+    {"PADS_BANK0", 8, 1, 0, 1, "in reset"}, {"PLL_SYS", 12, 1, 0, 1, "in reset"}, {"SPI0", 16, 1, 0, 1, "in reset"},
+    {"SPI1", 17, 1, 0, 1, "in reset"},      {"SYSINFO", 19, 1, 0, 1, "in reset"}, {"TIMER", 21, 1, 0, 1, "in reset"},
+    {"UART0", 22, 1, 0, 1, "in reset"},
 };
 static const struct register_field clk_sys_fields[] = {
     {"SRC", 0, 1, 0, 1, "clk_ref, the auxiliary source"},
@@ -97,6 +100,8 @@ static const struct register_field dma_control_fields[] = {
     }
 
 #include "registers/rp2_peripherals_rows.h"
+
+#include "registers/rp2_i2c_rows.h"
 
 static const struct register_field tick_fields[] = {
     {"CYCLES", 0, 9, 12, 12, "a tick is 1 us"},
@@ -179,6 +184,7 @@ static const struct register_row sio_rows[] = {
 static const struct register_field iser_fields[] = {
     {"TIMER_IRQ_0", 0, 1, 0, 1, "enabled"},
     {"DMA_IRQ_0", 11, 1, 0, 1, "enabled"},
+    {"I2C0_IRQ", 23, 1, 0, 1, "enabled"},
 };
 static const struct register_field vtor_fields[] = {{"TBLOFF", 8, 24, 0, 0xffffff, "where the vectors are"}};
 static const struct register_field mpu_ctrl_fields[] = {
@@ -213,6 +219,7 @@ static const struct register_block blocks[] = {
     {"DMA", DMA_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(dma_rows), REGISTER_LIST(dma_when)},
     {"SPI0", SPI_BASE(0), 0x4000, .aliases = true, false, REGISTER_LIST(spi0_rows), REGISTER_LIST(spi0_when)},
     {"SPI1", SPI_BASE(1), 0x4000, .aliases = true, false, REGISTER_LIST(spi1_rows), REGISTER_LIST(spi1_when)},
+    {"I2C0", I2C0_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(i2c_rows), REGISTER_LIST(i2c_when)},
     {"TIMER", TIMER_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(timer_rows), REGISTER_LIST(timer_when)},
     {"UART0", UART0_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(uart_rows), REGISTER_LIST(uart_when)},
     {"RESETS", RESETS_BASE, 0x4000, .aliases = true, false, REGISTER_LIST(resets_rows)},

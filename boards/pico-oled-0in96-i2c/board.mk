@@ -1,0 +1,2 @@
+PORT_BUS = i2c
+include boards/families/pico.mk
