@@ -1,6 +1,7 @@
 /*
  * bench: what the benchmark (bench.c) needs of a machine: machine_arm.c is an emulated Cortex-M that counts
- * instructions, machine_riscv.c an emulated RV32, machine_host.c this computer under callgrind.
+ * instructions, machine_riscv.c an emulated RV32, machine_xtensa.c an emulated lx106 (ESP8266), machine_host.c this
+ * computer under callgrind.
  */
 #ifndef BENCH_H
 #define BENCH_H

@@ -11,21 +11,6 @@ int main(void);
 static uint32_t started;
 static char command_line[64];
 
-void machine_quit(int status)
-{
-    const uint32_t block[2] = {0x20026, (uint32_t)status}; /* ADP_Stopped_ApplicationExit */
-    machine_semihost(0x20, block);                         /* SYS_EXIT_EXTENDED */
-}
-
-static void read_command_line(void)
-{
-    const struct {
-        char *text;
-        uint32_t size;
-    } block = {command_line, sizeof command_line};
-    machine_semihost(0x15, &block); /* SYS_GET_CMDLINE */
-}
-
 void machine_run(void)
 {
     for (uint32_t *to = data_start, *from = data_load; (uintptr_t)to < (uintptr_t)data_end;) {
@@ -34,7 +19,7 @@ void machine_run(void)
     for (uint32_t *to = bss_start; (uintptr_t)to < (uintptr_t)bss_end;) {
         *to++ = 0;
     }
-    read_command_line();
+    machine_command_line(command_line, sizeof command_line);
     machine_quit(main());
 }
 

@@ -41,8 +41,12 @@ differs() { # a build that draws differently is seen
     ! same "$B/wrong.frames"
 }
 
-if_there() { # tool, reason, short|long, check's arguments
-    if command -v "$1" >/dev/null; then "${@:3}"; else skip "$4" "$2"; fi
+if_there() { # tools, reason, short|long, check's arguments
+    local tool
+    for tool in $1; do
+        command -v "$tool" >/dev/null || { skip "$4" "$2" && return; }
+    done
+    "${@:3}"
 }
 
 m32() { printf 'int main(void){return 0;}' | gcc -m32 -x c - -o "$B/m32.probe" 2>/dev/null; }
@@ -86,4 +90,5 @@ user aarch64-linux-gnu aarch64
 user arm-linux-gnueabihf arm
 if_there qemu-system-riscv32 "no qemu-system-misc" long "same_frames_on_RV32IMAC_with_Zba_Zbb_Zbkb" bare rv32
 if_there qemu-system-riscv32 "no qemu-system-misc" long "same_frames_on_RV32IMC" bare rv32plain
+if_there "qemu-system-xtensa xtensa-lx106-elf-gcc" "no qemu-system-misc or gcc-xtensa-lx106" long "same_frames_on_Xtensa_lx106" bare lx106
 tap_end
