@@ -318,7 +318,7 @@ proof: ## proves by CBMC and Gappa that no sum overflows, and how far results ar
 lint: $(B)/boards_all/boards_all.h ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
 	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/tools/lint.sh
 
-bench: ## instructions a frame of the eight scenes on Cortex-M0+, M3, M4F, M33, RV32 and x86-64, and the pictures' quality
+bench: ## instructions a frame of the eight scenes on Cortex-M0+, M3, M4F, M33, RV32, Xtensa lx106 and x86-64, and the pictures' quality
 	$(Q)B='$(B)' tests/bench/bench.sh
 
 size: ## code size on a Cortex-M0+ of what images link of the core, by module; fails over the budget. BOARD=x: of its image; PROGRAM=FILE.c [PROFILE=small]: of a program

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Usage: tests/bench/bench.sh [CORE...]        make bench calls it; cores: m0plus m3 m4f m33 rv32 x86_64 rp2040, all by default
+# Usage: tests/bench/bench.sh [CORE...]        make bench calls it; cores: m0plus m3 m4f m33 rv32 lx106 x86_64 rp2040, all by default
 # Instructions a frame of the eight scenes and what the same build's pictures are worth, next to the bars and the best
 # peer (bars.csv: both were measured once, on the same machine model, elsewhere); cycles on an emulated RP2040; how the
 # cost grows. Leaves $B/bench.csv, the same as $B/bench.json, $B/bench-growth.csv, $B/bench-growth.png.
@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export B=${B:-build}
-[ $# -gt 0 ] || set -- m0plus m3 m4f m33 rv32 x86_64 rp2040
+[ $# -gt 0 ] || set -- m0plus m3 m4f m33 rv32 lx106 x86_64 rp2040
 dir=$B/bench
 rm -rf "$dir"
 mkdir -p "$dir"
@@ -24,6 +24,8 @@ missing() { # core: what it needs and is not here
     rp2040) for tool in node npm arm-none-eabi-gcc; do command -v $tool >/dev/null || echo $tool; done ;;
     rv32) command -v qemu-system-riscv32 >/dev/null || echo qemu-system-misc
           command -v riscv64-unknown-elf-gcc >/dev/null || echo gcc-riscv64-unknown-elf ;;
+    lx106) command -v qemu-system-xtensa >/dev/null || echo qemu-system-misc
+           command -v xtensa-lx106-elf-gcc >/dev/null || echo gcc-xtensa-lx106 ;;
     *) command -v qemu-system-arm >/dev/null || echo qemu-system-arm
        command -v arm-none-eabi-gcc >/dev/null || echo gcc-arm-none-eabi ;;
     esac

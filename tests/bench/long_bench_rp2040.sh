@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# As tests/bench/long_bench.sh, for the emulated RP2040 and the two cores of an RP2350: no scene takes over 2 % more cycles, and no image over 2 % more code
+# As tests/bench/long_bench.sh, for the emulated RP2040, the two cores of an RP2350 and Xtensa's lx106: no scene takes over 2 % more cycles, and no image over 2 % more code
 # or RAM, than tests/golden/bench.csv says. After a change for the better: see there.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
@@ -27,5 +27,10 @@ if command -v riscv64-unknown-elf-gcc >/dev/null && command -v qemu-system-riscv
     check "nothing_is_more_than_2_percent_worse_on_Cortex-M33_and_RV32" nothing_is_worse 32 minstr m33 rv32
 else
     skip "nothing_is_more_than_2_percent_worse_on_Cortex-M33_and_RV32" "no qemu-system-arm, qemu-system-misc or gcc-riscv64-unknown-elf"
+fi
+if command -v xtensa-lx106-elf-gcc >/dev/null && command -v qemu-system-xtensa >/dev/null; then
+    check "nothing_is_more_than_2_percent_worse_on_Xtensa_lx106" nothing_is_worse 16 minstr lx106
+else
+    skip "nothing_is_more_than_2_percent_worse_on_Xtensa_lx106" "no gcc-xtensa-lx106 or qemu-system-misc"
 fi
 tap_end

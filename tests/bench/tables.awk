@@ -1,7 +1,7 @@
 # bars.csv, test_quality's table and the lines of run.sh with the core in front: the tables of `make bench`, and
 # bench.csv (-v csv=FILE) with the columns core,scene,metric,value,must,aim,best_peer. Means over a scene's frames.
 BEGIN {
-    core_count = split("m0plus m3 m4f m33 rv32 x86_64", cores, " ")
+    core_count = split("m0plus m3 m4f m33 rv32 lx106 x86_64", cores, " ")
     split("fixed16 float16 fixed24 float24 linear-w", formats, " ")
     split("torus cube fill icosphere ground", demo, " ")
     split(".02 .02 .02 .02 .005", coverage_bar, " ")

@@ -127,6 +127,13 @@ headline_is_of_the_bench() {
         grep -qF "| $(cat "$dir/row") |" README.md || { cat "$dir/row" && return 1; }
 }
 
+# So is that of Xtensa, and firmware/README.md has its least and its most.
+ratios_are_of_the_bench() {
+    tests/bench/ratio.sh lx106 rv32 >"$dir/ratio" && [ "$(wc -l <"$dir/ratio")" = 10 ] &&
+        awk '/^\| scene \| lx106 \|/ { inside = 1 } !/^\|/ { inside = 0 } inside' tests/bench/README.md | diff - "$dir/ratio" &&
+        grep -qF "lx106 $(awk -F' *[|] *' 'NR > 2 { print $5 }' "$dir/ratio" | sort -n | sed -n '1s/$/ to/p; $p' | xargs) times" firmware/README.md
+}
+
 targets_exist() {
     local target
     while read -r target; do
@@ -166,6 +173,7 @@ check "the_links_lead_somewhere" links_exist
 check "every_paper_is_linked" every_paper_is_linked
 check "the_README_has_at_most_300_lines" readme_is_short
 check "the_headline_is_what_the_bench_says" headline_is_of_the_bench
+check "what_Xtensa_takes_is_what_the_bench_says" ratios_are_of_the_bench
 check "the_make_targets_exist" targets_exist
 check "the_numbers_are_those_of_the_checks" numbers_are_those_of_the_checks
 tap_end
