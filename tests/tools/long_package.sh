@@ -106,15 +106,19 @@ arduino_draws() { # as Arduino's builder does: every source below src/, with -Is
     cc -IPinhole/src ../hello.c ./*.o -o hello && ./hello | diff - ../expected
 }
 
-arduino_compiles_for_arm() { # the first of its arguments: -mcpu=
+arduino_compiles() { # name, the file that must have the kernel of its CPU, compiler and flags
     local file
     cd "$dir/arduino" || return 1
     for file in Pinhole/src/pinhole/*.[cS]; do
-        arm-none-eabi-gcc -mcpu="$1" -mthumb -Os -w -IPinhole/src -c "$file" -o "$(basename "$file").$1" || return 1
+        "${@:3}" -Os -w -IPinhole/src -c "$file" -o "$(basename "$file").$1" || return 1
     done
-    arm-none-eabi-nm ./*."$1" | awk '$2 == "T" { print $3 }' | sort >symbols && [ -z "$(uniq -d symbols)" ] && grep -qx ph_cull symbols &&
-        arm-none-eabi-nm cull.S."$1" | grep -q ' T ph_cull$'
+    "${3%gcc}nm" ./*."$1" | awk '$2 == "T" { print $3 }' | sort >symbols && [ -z "$(uniq -d symbols)" ] && grep -qx ph_cull symbols &&
+        "${3%gcc}nm" "$2.$1" | grep -q ' T ph_cull$'
 }
+
+# Compilers that come without a C library.
+riscv() { "${@:2}" riscv64-unknown-elf-gcc -march="$1" -mabi=ilp32 -ffreestanding -isystem "$tree/firmware/bare/include"; }
+xtensa() { "$@" xtensa-lx106-elf-gcc -mlongcalls -ffreestanding -isystem "$tree/firmware/bare/include"; }
 
 # The library for small chips draws random scenes as the whole library does, and compiles for a Cortex-M0.
 small_arduino_draws() {
@@ -135,16 +139,16 @@ int main() { return ph_rgb565(1, 2, 3) == 0; }' >"$dir/all.cpp"
     "$@" -Wall -Wextra -Werror -I"$dir/arduino/Pinhole/src" -c "$dir/all.cpp" -o "$dir/all.o"
 }
 
-esp_idf_builds() { # what ESP-IDF's function does with the component, for RISC-V
+esp_idf_builds() { # architecture as ESP-IDF calls it, its small_gouraud, compiler and flags: what ESP-IDF's function does with the component
     unpack "pinhole-$version-esp-idf.zip" esp && grep -qx "version: \"$version\"" pinhole/idf_component.yml || return 1
-    printf '%s\n' 'cmake_minimum_required(VERSION 3.16)' 'project(esp C ASM)' 'set(CONFIG_IDF_TARGET_ARCH_RISCV y)' 'function(idf_component_register)' \
+    printf '%s\n' 'cmake_minimum_required(VERSION 3.16)' 'project(esp C ASM)' "set(CONFIG_IDF_TARGET_ARCH_$1 y)" 'function(idf_component_register)' \
         '  cmake_parse_arguments(a "" "" "SRCS;INCLUDE_DIRS;PRIV_INCLUDE_DIRS" ${ARGN})' \
         '  set(COMPONENT_LIB component PARENT_SCOPE)' '  add_library(component STATIC ${a_SRCS})' \
         '  target_include_directories(component PUBLIC ${a_INCLUDE_DIRS} PRIVATE ${a_PRIV_INCLUDE_DIRS})' 'endfunction()' \
         'add_subdirectory(pinhole)' >CMakeLists.txt
-    toolchain riscv64-unknown-elf-gcc '-march=rv32imc -mabi=ilp32 -ffreestanding' -nostdlib &&
-        cmake -S . -B b -DCMAKE_TOOLCHAIN_FILE="$PWD/toolchain.cmake" && cmake --build b -j2 && riscv64-unknown-elf-nm b/pinhole/libcomponent.a | grep -q ' T ph_show$' &&
-        ! find b -name 'small_gouraud.c.*' | grep . && find b -name 'small_gouraud.S.*' | grep -q .
+    toolchain "$3" "${*:4}" -nostdlib &&
+        cmake -S . -B b -DCMAKE_TOOLCHAIN_FILE="$PWD/toolchain.cmake" && cmake --build b -j2 && "${3%gcc}nm" b/pinhole/libcomponent.a | grep -q ' T ph_show$' &&
+        [ "$(find b -name 'small_gouraud.*.obj' -printf '%f\n')" = "$2.obj" ]
 }
 
 tarball_builds() {
@@ -213,11 +217,17 @@ if command -v zip >/dev/null && command -v unzip >/dev/null && command -v git >/
     check "the_Arduino_library_has_its_layout" arduino_has_its_layout
     need arm-none-eabi-gcc "the_Arduino_library_for_small_chips_draws_the_same" small_arduino_draws
     check "the_Arduino_library_draws" arduino_draws
-    need arm-none-eabi-gcc "the_Arduino_library_compiles_for_a_Cortex-M0+" arduino_compiles_for_arm cortex-m0plus
-    need arm-none-eabi-gcc "the_Arduino_library_compiles_for_a_Cortex-M4" arduino_compiles_for_arm cortex-m4
+    need arm-none-eabi-gcc "the_Arduino_library_compiles_for_a_Cortex-M0+" arduino_compiles m0plus cull.S arm-none-eabi-gcc -mcpu=cortex-m0plus -mthumb
+    need arm-none-eabi-gcc "the_Arduino_library_compiles_for_a_Cortex-M4" arduino_compiles m4 cull.S arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb
+    need riscv64-unknown-elf-gcc "the_Arduino_library_compiles_for_an_ESP32-C3" riscv rv32imc arduino_compiles c3 cull.S
+    need riscv64-unknown-elf-gcc "the_Arduino_library_compiles_for_an_ESP32-C6" riscv rv32imac arduino_compiles c6 cull.S
+    need riscv64-unknown-elf-gcc "the_Arduino_library_has_C_for_RISC-V_without_compressed_instructions" riscv rv32im arduino_compiles im cull.c
+    need xtensa-lx106-elf-gcc "the_Arduino_library_has_C_for_Xtensa" xtensa arduino_compiles lx106 cull.c
     need g++ "its_headers_compile_as_C++98" headers_compile_as_cpp g++ -std=c++98
     need g++ "its_headers_compile_as_C++20" headers_compile_as_cpp g++ -std=c++20
-    need riscv64-unknown-elf-gcc "the_ESP-IDF_component_builds" esp_idf_builds
+    need riscv64-unknown-elf-gcc "the_ESP-IDF_component_builds_for_an_ESP32-C3" riscv rv32imc esp_idf_builds RISCV small_gouraud.S
+    need riscv64-unknown-elf-gcc "the_ESP-IDF_component_builds_for_an_ESP32-C6" riscv rv32imac esp_idf_builds RISCV small_gouraud.S
+    need xtensa-lx106-elf-gcc "the_ESP-IDF_component_builds_for_Xtensa" xtensa esp_idf_builds XTENSA small_gouraud.c
 fi
 if pkg-config --exists sdl2 && command -v convert >/dev/null; then
     check "the_SDL2_example_draws" sdl_example_draws
