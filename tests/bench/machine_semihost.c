@@ -9,9 +9,6 @@ void machine_quit(int status)
 
 void machine_command_line(char *text, uint32_t size)
 {
-    const struct {
-        char *text;
-        uint32_t size;
-    } block = {text, size};
-    machine_semihost(0x15, &block); /* SYS_GET_CMDLINE */
+    const uintptr_t block[2] = {(uintptr_t)text, size};
+    machine_semihost(0x15, block); /* SYS_GET_CMDLINE */
 }

@@ -53,7 +53,7 @@ __attribute__((used)) void fault(void)
 /* The emulator writes the addresses of the words, 0, and the words one after the other. */
 void machine_command_line(char *text, uint32_t size)
 {
-    static uint32_t words[64];
+    static uint32_t words[64] = {0};
     const char *const end = text + size - 1;
     call_emulator(SIM_ARGV, (uint32_t)(uintptr_t)words, 0, 0);
     for (uint32_t i = 0; words[i] != 0; i++) {
