@@ -85,7 +85,7 @@ titled() { [[ $(xdotool getwindowname "$id") = "turntable - "*", 320x240$1" ]]; 
 
 it_pauses_steps_and_saves() {
     (cd "$dir" && start --demo turntable && xdotool key p && patiently titled ' - paused' &&
-        xdotool key s && patiently saved 1 && xdotool key n && xdotool key s && patiently saved 2 && xdotool key p && patiently titled '' &&
+        xdotool key s && patiently saved 1 && xdotool key --delay 0 n s && patiently saved 2 && xdotool key p && patiently titled '' &&
         xdotool key Escape && ended) || return 1
     local file frame
     for file in "$dir"/pinhole-turntable-*.png; do # one frame, and the next

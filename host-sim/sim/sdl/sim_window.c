@@ -136,7 +136,7 @@ bool sim_window_input(const struct sim_window *window, struct sim_window_input *
 {
     bool open = true;
     *input = (struct sim_window_input){.buttons = 0};
-    for (SDL_Event event; SDL_PollEvent(&event);) {
+    for (SDL_Event event; !input->step && SDL_PollEvent(&event);) { /* keys behind a step are of the next picture */
         if (event.type == SDL_QUIT) {
             open = false;
         } else if (event.type == SDL_KEYDOWN) {
