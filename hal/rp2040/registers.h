@@ -2,8 +2,8 @@
  * registers: the RP2040's base addresses and what else only it has; hal/rp2350/registers.h has the RP2350's, and
  * chips/rp2/peripherals.h what is the same in both. Names, addresses and bits are those of the RP2040 datasheet
  * (Raspberry Pi Ltd), sections 2.3 (SIO), 2.5 (DMA), 2.10 (voltage regulator and chip reset), 2.13 (power-on state
- * machine), 2.14 (resets), 2.15 .. 2.18 (clocks), 2.19 (GPIO), 2.20 (SYSINFO), 4.2 (UART), 4.3 (I2C), 4.4 (SPI), 4.6 (timer), 4.7
- * (watchdog).
+ * machine), 2.14 (resets), 2.15 .. 2.18 (clocks), 2.19 (GPIO), 2.20 (SYSINFO), 4.2 (UART), 4.3 (I2C), 4.4 (SPI), 4.6
+ * (timer), 4.7 (watchdog).
  */
 #ifndef RP2040_REGISTERS_H
 #define RP2040_REGISTERS_H

@@ -165,7 +165,8 @@ static void predict(const struct depth_lab *lab, const struct ph_depth_format *f
         sweep->s_min_m = fmax(sweep->s_min_m, depth_s_min_m(s_xy, depth_step_m(format, lab, z), tan_phi));
         sweep->at_tilt_m = fmax(sweep->at_tilt_m, depth_planes_predicted_m(lab, format, z, slope, lean.tilt_deg));
     }
-    const double at_edge = depth_planes_predicted_m(lab, format, lean.at_m, steepest_slope(lab, lean, 0), lean.tilt_deg);
+    const double at_edge =
+        depth_planes_predicted_m(lab, format, lean.at_m, steepest_slope(lab, lean, 0), lean.tilt_deg);
     sweep->at_tilt_m = fmax(sweep->at_tilt_m, at_edge);
 }
 

@@ -100,7 +100,8 @@ bool depth_planes_make(const struct depth_lab *lab, const struct planes_place *p
         return false;
     }
     struct planes_quad *const behind = &pair->behind;
-    behind->a = (struct fx_vec3){to_fx(place->slope_middle * farthest - side), to_fx(place->slope_low * d0), to_fx(-d0)};
+    behind->a =
+        (struct fx_vec3){to_fx(place->slope_middle * farthest - side), to_fx(place->slope_low * d0), to_fx(-d0)};
     behind->ux = to_fx(2 * side);
     behind->vy = (to_fx(place->slope_high * d1) - behind->a.y) / PLANES_PARTS * PLANES_PARTS;
     behind->vz = (to_fx(-d1) - behind->a.z) / PLANES_PARTS * PLANES_PARTS;

@@ -1,6 +1,6 @@
 /*
- * Dithered light (ph_dither) against ideal light in double precision, as the eye sees it: CIE76 after a blur of 1 pixel.
- * And it is the same in any band, on two cores, and in a frame that stands still.
+ * Dithered light (ph_dither) against ideal light in double precision, as the eye sees it: CIE76 after a blur of 1
+ * pixel. And it is the same in any band, on two cores, and in a frame that stands still.
  */
 #include <math.h>
 #include <setjmp.h>

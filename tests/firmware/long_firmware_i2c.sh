@@ -24,8 +24,11 @@ frames_come_as_fast_as_the_bus() {
 
 # What a wire or a display does wrong ends with one line, within 0.6 s, and with no access that silicon would not take.
 fails() { # fault, line, us from which on it is wrong
-    EVENTS_ONLY=1 emulate "$board" 1 99 - --i2c-fault "$1" --limit-ms $((600 + $3 / 1000)) && [ "$(grep -c '^I2C: ' "$dir/log")" = 1 ] && grep -q "$2" "$dir/log" &&
-        grep -q 'exit with an error' "$dir/log" || { cat "$dir/log" && return 1; }
+    if ! EVENTS_ONLY=1 emulate "$board" 1 99 - --i2c-fault "$1" --limit-ms $((600 + $3 / 1000)) || [ "$(grep -c '^I2C: ' "$dir/log")" != 1 ] ||
+        ! grep -q "$2" "$dir/log" || ! grep -q 'exit with an error' "$dir/log"; then
+        cat "$dir/log"
+        return 1
+    fi
 }
 
 starts() { emulate "$board" 1 2 - --i2c-fault "$1" && expect "$board" 2 && same 2; }

@@ -1,7 +1,7 @@
 /*
  * hal/linux without hardware: how writes are divided, which line a name means, which error a missing part gives, and
- * which edges of a contact are presses. The chips below take the place of libgpiod. long_guest_backends.sh tests the rest,
- * with the real kernel.
+ * which edges of a contact are presses. The chips below take the place of libgpiod. long_guest_backends.sh tests the
+ * rest, with the real kernel.
  */
 #include <setjmp.h>
 #include <stdarg.h>

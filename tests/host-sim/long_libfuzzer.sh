@@ -22,6 +22,7 @@ compile() { # program, flags and files...
 }
 
 model=(-Ihost-sim/model -Ihost-sim/model/formats -Ihost-sim/model/gltf)
+# shellcheck disable=SC2054,SC2207 # commas of braces; words of one library
 sources=(host-sim/model/{gltf,formats}/*.c host-sim/model/model_{meshes,places,surface,shared,camera,folder,scene,rig,rig_clips,texture,weld,normals,polygon,text}.c
     host-sim/picture/picture_in.c host-sim/picture/{png,jpeg,webp}/*_in.c "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -Wl,--as-needed -lpng -ljpeg -lwebp $([ ! -e /usr/include/meshoptimizer.h ] || echo -lmeshoptimizer) -lm)
 build() { # what is not named here comes from the libraries, without sanitizers

@@ -174,7 +174,7 @@ in_turn_shows() { # model, options: 56 frames, and a frame is the same whichever
 # .23 s, has faded in when sway begins to do so again, at the time where sway alone repeats.
 clips_take_turns() {
     local form shown
-    for form in sway hold; do "$B/pinhole-sim" --model "$moving" --clip $form --size 120x90 --frames 56 --crc >"$dir/$form" || return 1; done
+    for form in sway hold; do "$B/pinhole-sim" --model "$moving" --clip "$form" --size 120x90 --frames 56 --crc >"$dir/$form" || return 1; done
     "$asset" "$moving" -o "$dir/clips.phs" && "$asset" "$moving" -o "$dir/turns.phs" --clip sway,hold && "$asset" "$moving" -o "$dir/turns.c" --clip sway,hold && "$asset" "$moving" -o "$dir/back.phs" --clip hold,sway || return 1
     for form in "$moving --clip sway,hold" "$dir/clips.phs --clip sway,hold" "$dir/turns.phs" "$dir/back.phs --clip sway,hold"; do
         # shellcheck disable=SC2086 # a file and an option

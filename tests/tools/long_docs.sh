@@ -45,14 +45,14 @@ every_page_is_there() {
 # Each chapter has one picture, and the program that draws it, which the tests build and run (golden/examples.txt).
 a_chapter_has_its_program() {
     awk '/^## / { n++ } /^!\[/ { sub(/.*pictures\//, ""); sub(/\.png\)$/, ""); picture[n] = picture[n] $0 } n { text[n] = text[n] $0 }
-        END { for (i = 1; i <= n; i++) print i, picture[i], (index(text[i], "(../examples/" picture[i] ".c)") > 0); exit n != 5 }' $docs/tutorial.md >"$dir/chapters" || return 1
+        END { for (i = 1; i <= n; i++) print i, picture[i], (index(text[i], "(../examples/" picture[i] ".c)") > 0); exit n != 5 }' "$docs"/tutorial.md >"$dir/chapters" || return 1
     cat "$dir/chapters"
     [ "$(awk '$3 == 1' "$dir/chapters" | wc -l)" = 5 ] && while read -r _ program _; do grep -q "^$program.c " tests/golden/examples.txt || exit 1; done <"$dir/chapters"
 }
 
 a_link_to_nowhere_is_told() {
     printf '<a id="here" href="#here">x</a><a href="#away">x</a><img src="none.png"><a href="other.html#x">x</a>\n' >"$dir/a.html"
-    [ "$($docs/links.sh "$dir" | sort | tr '\n' ' ')" = "a.html: a.html#away a.html: none.png a.html: other.html#x " ]
+    [ "$("$docs"/links.sh "$dir" | sort | tr '\n' ' ')" = "a.html: a.html#away a.html: none.png a.html: other.html#x " ]
 }
 
 check "make_docs_writes_a_site" is_written

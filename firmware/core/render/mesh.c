@@ -68,7 +68,8 @@ static const struct ph_part_lighting *lighting_of(const struct ph_part_context *
 }
 
 PH_TIER(mesh)
-static PH_NOINLINE void draw_part(struct ph_part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
+static PH_NOINLINE void draw_part(struct ph_part_context *c, const struct ph_part *part,
+                                  const struct ph_xform *to_world)
 {
     struct ph_renderer *r = c->r;
     c->material = &c->mesh->materials[part->material];

@@ -43,7 +43,8 @@ void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, c
 uint32_t ph_transform_points(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *points,
                              uint32_t n, struct ph_vertex *vertices);
 
-/* transform_mesh.c: transforms all vertices of a mesh and gives them full light. Returns their clip codes, combined by OR. */
+/* transform_mesh.c: transforms all vertices of a mesh and gives them full light. Returns their clip codes, combined by
+ * OR. */
 uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
                            struct ph_vertex *vertices);
 

@@ -111,8 +111,7 @@ static void rp2_close(void *context)
         .name = "rp2", .open = rp2_open, .bus_clock = rp2_bus_clock, .bus_write = rp2_bus_write,                       \
         .bus_write_rows = rp2_bus_write_rows, .bus_queue = rp2_bus_queue, .bus_written = rp2_bus_written,              \
         .bus_until = rp2_bus_until, .bus_flush = rp2_bus_flush, .bus_wait = rp2_bus_wait, .pin_set = rp2_pin_set,      \
-        .te_wait = (te),                                                                                               \
-        .time_us = rp2_time_us, .delay_us = rp2_delay_us, .buttons = rp2_buttons, .close = rp2_close,                  \
+        .te_wait = (te), .time_us = rp2_time_us, .delay_us = rp2_delay_us, .buttons = rp2_buttons, .close = rp2_close, \
     }
 
 static const struct hal_ops ops = RP2_OPS(NULL), ops_with_te = RP2_OPS(rp2_te_wait);

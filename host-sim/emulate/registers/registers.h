@@ -80,8 +80,8 @@ struct register_chip {
     const char *name, *document;
     const struct register_block *blocks;
     uint16_t block_count;
-    uint32_t resets; /* address of the register whose bits put blocks into reset: those that want a bit to be 0 before any
-                        access (REGISTER_IS). They then forget all. 0: there is none */
+    uint32_t resets; /* address of the register whose bits put blocks into reset: those that want a bit to be 0 before
+                        any access (REGISTER_IS). They then forget all. 0: there is none */
 };
 
 #define REGISTER_LIST(list) (list), sizeof(list) / sizeof *(list)

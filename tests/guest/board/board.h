@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Dual MIT/GPL */
 /*
  * virtual_board: a Raspberry Pi's header as the kernel sees it, without the hardware. One GPIO chip, one SPI controller
- * with two chip selects (a spidev each), one I2C controller (bus 1), and /dev/virtual-board, from which the events of host-sim/wire/wire_events.h
- * are read and into which faults are written.
+ * with two chip selects (a spidev each), one I2C controller (bus 1), and /dev/virtual-board, from which the events of
+ * host-sim/wire/wire_events.h are read and into which faults are written.
  *
  * Parameters: label (of the GPIO chip), names=pi|old|none (of its lines), core_hz (what the SPI clock is divided from),
  * log_kb (memory for events), persist=0 (lines that are released become inputs).

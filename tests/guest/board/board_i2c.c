@@ -5,7 +5,7 @@
 #include <linux/i2c.h>
 #include <linux/module.h>
 
-#define DISPLAY 0x3c
+#define DISPLAY  0x3c
 #define CLOCK_HZ 400000
 
 static struct i2c_adapter adapter;

@@ -68,8 +68,8 @@ static unsigned whole, small, tiny; /* planes by their width */
 static unsigned all, at_edge;       /* ... of one tilt; those near the edge of the picture at which they are nearest */
 static struct planes_lean leaning;
 
-/* The middle of the farther edge of a plane that leans as `leaning` lies beyond 6/10 of the picture, and in it, and is as
- * far away as was asked for. The picture's half is 1. */
+/* The middle of the farther edge of a plane that leans as `leaning` lies beyond 6/10 of the picture, and in it, and is
+ * as far away as was asked for. The picture's half is 1. */
 static bool is_at_edge(const struct planes_quad *quad)
 {
     const bool is_upper = leaning.tilt_deg > 0;

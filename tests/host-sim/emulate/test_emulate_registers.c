@@ -23,7 +23,7 @@ static const struct register_row rows[] = {
     {"BYTE", 8, .narrow = true, .fields = REGISTER_LIST(all), .source = "3"},
 };
 static const struct register_block blocks[] = {{"UNIT", UNIT, 0x100, .rows = rows, .row_count = 3}};
-static const struct register_chip chip = {"CHIP", "its manual", REGISTER_LIST(blocks)};
+static const struct register_chip chip = {"CHIP", "its manual", REGISTER_LIST(blocks), .resets = 0};
 
 static struct emulate_registers r;
 static struct emulate_access access;
