@@ -290,9 +290,9 @@ static void put_answer(const struct scene_report *r)
                                  : "the sub-pixel grid moves them");
     }
     fputs(".\n", r->lab->rows);
-    if (r->scene.file_scale > 0) {
+    if (depth_layers_file_scale(&r->scene) > 0) {
         fprintf(r->lab->rows, "# The model is drawn with a radius of 1 m: 1 m here is %.4g units of its file.\n",
-                1 / r->scene.file_scale);
+                1 / depth_layers_file_scale(&r->scene));
     }
 }
 
@@ -300,8 +300,8 @@ static void put_answer(const struct scene_report *r)
 static void put_gap(const struct scene_report *r, double gap_m)
 {
     fprintf(r->lab->rows, "%.3g m", gap_m);
-    if (r->scene.file_scale > 0) {
-        fprintf(r->lab->rows, " (%.3g units of the file)", gap_m / r->scene.file_scale);
+    if (depth_layers_file_scale(&r->scene) > 0) {
+        fprintf(r->lab->rows, " (%.3g units of the file)", gap_m / depth_layers_file_scale(&r->scene));
     }
 }
 

@@ -90,6 +90,11 @@ int depth_layers_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, co
     return __real_ph_draw_mesh(r, mesh, to_world);
 }
 
+double depth_layers_file_scale(const struct depth_layers *s)
+{
+    return s->model != NULL ? s->model->scale : 0;
+}
+
 /* ---- opening ------------------------------------------------------------------------------------------------ */
 
 static int find(struct depth_layers *s, const struct depth_lab *lab)
@@ -107,7 +112,6 @@ static int find(struct depth_layers *s, const struct depth_lab *lab)
             return status;
         }
         s->model_demo = model_demo(s->model);
-        s->file_scale = s->model->scale;
         s->demo = &s->model_demo;
         s->context.state = s->model;
     }

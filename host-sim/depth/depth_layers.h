@@ -53,7 +53,6 @@ struct depth_layers {
     const struct depth_lab *lab;
     const struct demo *demo;
     struct model *model; /* NULL: a built-in demo */
-    double file_scale;   /* metres of the scene in a unit of the model's file; 0: they are the same */
     struct demo model_demo;
     struct demo_context context;
     struct ph_renderer renderer;
@@ -69,6 +68,9 @@ struct depth_layers {
     bool fisheye; /* some camera is one */
     int status;   /* of the recording */
 };
+
+/* Metres of the scene in a unit of the model's file; 0: they are the same. */
+double depth_layers_file_scale(const struct depth_layers *s);
 
 /* Opens what lab->demo or lab->model names, and finds its lens. 0, COMPLAINED or PH_ERR_INVAL. Close it in any case. */
 int depth_layers_open(struct depth_layers *s, const struct depth_lab *lab);

@@ -54,7 +54,6 @@ struct model_rounding {
 
 struct model_motion {
     struct animation animation;
-    double scale;     /* lengths of the model in those of the file */
     double centre[3]; /* what the model's origin is in the file */
     struct model_rounding rounding;
 };

@@ -288,7 +288,6 @@ bool model_rig_begin(struct model_shared *shared, const struct model_fit *fit, s
         return model_shared_failed(shared, "needs too much memory");
     }
     *to = (struct model_motion){.animation = {.rig = {nodes, n}, .root = ph_xform_identity, .meshes = rig->moving},
-                                .scale = fit->scale,
                                 .centre = {fit->centre[0], fit->centre[1], fit->centre[2]}};
     shared->model.motion = to;
     for (uint32_t k = 0; k < n; k++) {
@@ -311,7 +310,7 @@ bool model_rig_begin(struct model_shared *shared, const struct model_fit *fit, s
 static bool set_bind(struct model_shared *shared, uint32_t joint, const double (*back)[4], const float *bind,
                      struct ph_xform *to)
 {
-    const double unit = shared->model.motion->scale, *length = shared->rig->nodes[joint].length;
+    const double unit = shared->model.scale, *length = shared->rig->nodes[joint].length;
     model_matrix own, product;
     double t[3];
     model_matrix_from_columns(own, bind);

@@ -118,7 +118,7 @@ static struct cloud true_cloud(const struct model *model, truth right, int cubes
         double p[3];
         right(i / 8, c, t, p);
         for (int k = 0; k < 3; k++) {
-            cloud.points[i][k] = (p[k] - model->motion->centre[k]) * model->motion->scale;
+            cloud.points[i][k] = (p[k] - model->motion->centre[k]) * model->scale;
         }
     }
     return cloud;

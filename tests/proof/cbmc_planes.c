@@ -2,6 +2,7 @@
 #include "proof_render.h"
 
 #include "../../firmware/core/render/knee.c"
+#include "../../firmware/core/render/lift.c"
 #include "../../firmware/core/render/planes.c"
 
 /* Twice the area of a triangle whose corners are in reach. It is linear in each coordinate, so it is largest where each

@@ -2,6 +2,7 @@
 #include "exact.h"
 
 #include "edge.h"
+#include "lift.h"
 #include "planes.h"
 
 PH_TIER(seldom) static void store(uint32_t to[2], uint64_t value)

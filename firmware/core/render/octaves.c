@@ -2,6 +2,7 @@
 #include "setup.h"
 
 #include "knee.h"
+#include "lift.h"
 #include "planes.h"
 
 PH_TIER(mesh)

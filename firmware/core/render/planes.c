@@ -9,6 +9,7 @@
 #include "colour.h"
 #include "edge.h"
 #include "knee.h"
+#include "lift.h"
 #include "texel_light.h"
 
 enum {
@@ -308,47 +309,6 @@ PH_TIER(scenery) static void round_depth(struct ph_plane *plane, int bits)
     plane->gy = (plane->gy + half) & mask;
 }
 
-/* The least and the largest of the depths of three corners. */
-struct corner_range {
-    uint32_t low, high;
-};
-
-static inline struct corner_range range_of(const uint32_t d[3])
-{
-    const uint32_t low = d[0] < d[1] ? d[0] : d[1], high = d[0] < d[1] ? d[1] : d[0];
-    return (struct corner_range){low < d[2] ? low : d[2], high > d[2] ? high : d[2]};
-}
-
-/* So many sixteenths of a plane's larger gradient, but at most `size`. */
-static inline __attribute__((always_inline)) uint32_t lift_of(const struct ph_plane *plane, uint32_t slope,
-                                                              uint32_t size)
-{
-    const uint32_t right = fx_magnitude((int32_t)plane->gx), below = fx_magnitude((int32_t)plane->gy);
-    const uint32_t part = (right > below ? right : below) >> 4, by = part * slope;
-    return fx_mulhi_u32(part, slope) == 0 && by < size ? by : size;
-}
-
-/* Moves a plane through corners of the depths d as depth_bias_slope says; none of them beyond `top`. */
-PH_TIER(seldom)
-static PH_NOINLINE void lift_plane(const struct ph_material *material, uint32_t top, const uint32_t d[3],
-                                   struct ph_plane *plane)
-{
-    if (material->depth_bias_slope == 0) {
-        return;
-    }
-    const struct corner_range range = range_of(d);
-    const uint32_t by = lift_of(plane, material->depth_bias_slope, range.high - range.low);
-    plane->base += range.high > top ? 0 : by < top - range.high ? by : top - range.high;
-}
-
-PH_TIER(seldom) void ph_lift_small(struct ph_triangle *t, uint32_t top, const uint32_t d[3])
-{
-    struct ph_small_triangle *const small = &t->as.small.rows;
-    struct ph_plane plane = {small->d, small->gd, small->d_dy};
-    lift_plane(t->material, top, d, &plane);
-    small->d = plane.base;
-}
-
 PH_TIER(scenery)
 bool ph_set_float(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
                   const struct ph_material *material, struct ph_depth *any, uint8_t *block)
@@ -358,7 +318,7 @@ bool ph_set_float(const struct ph_renderer *r, const struct ph_plane_base *s, co
     uint32_t d[3];
     *block = ph_block_depths(r, v, ph_depth_bias(material), d);
     const int halved = depth_plane(s, !is_short || *block != PH_BLOCK_NONE, d, depth);
-    lift_plane(material, *block == PH_BLOCK_NONE ? PH_TOP_CODE : ph_depth_top(&r->lens), d, depth);
+    ph_lift_plane(material, *block == PH_BLOCK_NONE ? PH_TOP_CODE : ph_depth_top(&r->lens), d, depth);
     if (*block == PH_BLOCK_NONE) {
         return halved <= 0 && !is_steep(s->sides, depth, STEEP);
     }
@@ -378,7 +338,7 @@ static inline __attribute__((always_inline)) bool set_fixed(const struct ph_rend
     uint32_t d[3];
     fixed_depths(r, v, ph_depth_bias(material), d);
     const int halved = depth_plane(s, exact, d, plane);
-    lift_plane(material, PH_TOP_CODE, d, plane);
+    ph_lift_plane(material, PH_TOP_CODE, d, plane);
     return halved <= 0 && !is_steep(s->sides, plane, STEEP);
 }
 
@@ -396,24 +356,6 @@ bool ph_set_fixed24(const struct ph_renderer *r, const struct ph_plane_base *s, 
 {
     *block = PH_BLOCK_NONE;
     return set_fixed(r, s, v, material, true, &depth->as.plane);
-}
-
-PH_TIER(seldom) void ph_lift_codes(struct ph_linear *linear, uint32_t from, uint32_t to, uint32_t nearest)
-{
-    const uint32_t codes = (to - from) >> 16, most = (UINT32_MAX - nearest) >> 16, bias = linear->bias;
-    const uint32_t more = codes < most ? codes : most;
-    linear->bias = (uint8_t)(bias + more < 255 ? bias + more : 255);
-}
-
-/* Moves codes of linear-w by what depth_bias_slope makes at the farthest corner. w: N/w of the corners. */
-static void lift_linear(const struct ph_material *material, const uint32_t w[3], struct ph_depth *depth)
-{
-    const struct corner_range range = range_of(w);
-    const struct ph_plane *const plane = &depth->as.plane;
-    struct ph_linear *const linear = &depth->over_w.linear;
-    const uint32_t by = lift_of(plane, material->depth_bias_slope, range.high - range.low);
-    ph_lift_codes(linear, ph_depth_linear_code(linear, range.low), ph_depth_linear_code(linear, range.low + by),
-                  ph_depth_linear_code(linear, range.high));
 }
 
 bool ph_set_linear(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],
@@ -436,7 +378,7 @@ bool ph_set_linear(const struct ph_renderer *r, const struct ph_plane_base *s, c
     const bool fits = halved <= 0 && zeros <= LINEAR_ZEROS &&
                       !is_steep(s->sides, &depth->as.plane, ph_min(STEEP - 1 - 2 * zeros + far_zeros, 48));
     if (fits && material->depth_bias_slope != 0) {
-        lift_linear(material, w, depth);
+        ph_lift_linear(material, w, depth);
     }
     return fits;
 }

@@ -39,17 +39,6 @@ uint32_t ph_depth_code(const struct ph_renderer *r, struct ph_quotient quotient,
 bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
                     const uint32_t d[3]);
 
-/* The highest 16.16 code that depth_bias_slope lifts a corner to: planes are off by 3 codes, and go beyond their
- * corners by 4. Across octaves it is ph_depth_top. */
-#define PH_TOP_CODE (UINT32_MAX << 19)
-
-/* Moves a small triangle's depth as depth_bias_slope says, no corner beyond `top`. d: the corners', in the unit of its
- * block. */
-void ph_lift_small(struct ph_triangle *t, uint32_t top, const uint32_t d[3]);
-
-/* Lifts the codes of linear-w by what they change by between two depths, as far as the nearest corner has room. */
-void ph_lift_codes(struct ph_linear *linear, uint32_t from, uint32_t to, uint32_t nearest);
-
 /* Set depth and block in one format, with the biases of the material. False if 32 bits are not enough: see exact.h.
  * Only formats name them. */
 bool ph_set_fixed16(const struct ph_renderer *r, const struct ph_plane_base *s, const struct ph_vertex *const v[3],

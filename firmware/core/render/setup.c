@@ -18,6 +18,7 @@ PH_TIER(mesh) static inline bool ph_is_between(int32_t a, int32_t b, int32_t c, 
 #include "kernels.h"
 #include "line.h"
 #include "outline.h"
+#include "lift.h"
 #include "planes.h"
 #include "samples.h"
 #include "small_texels.h"

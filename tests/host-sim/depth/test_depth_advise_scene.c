@@ -39,10 +39,15 @@ int depth_layers_open(struct depth_layers *s, const struct depth_lab *of)
                                .draws = draws,
                                .surface_count = 3,
                                .draw_count = 1,
-                               .file_scale = file_scale,
                                .lens = {.kind = PH_PERSPECTIVE, .near_z = FX_ONE, .far_z = FX_INT(1000)}};
     is_open++;
     return open_status;
+}
+
+double depth_layers_file_scale(const struct depth_layers *s)
+{
+    assert_true(s->pixels == shown);
+    return file_scale;
 }
 
 void depth_layers_close(struct depth_layers *s)

@@ -321,7 +321,7 @@ static void what_cannot_be_opened_or_drawn_is_told(void **state)
     lab.view = "back";
     assert_int_equal(open_layers(), 0);
     assert_string_equal(s.context.view, "back");
-    assert_true(s.file_scale == .25);
+    assert_true(depth_layers_file_scale(&s) == .25);
     frame_status = -22;
     stderr_capture_begin(&said);
     const int status = depth_layers_find(&s, 8);
@@ -334,6 +334,7 @@ static void what_cannot_be_opened_or_drawn_is_told(void **state)
     assert_int_equal(open_layers(), PH_ERR_INVAL);
     assert_non_null(strstr(said.text, "--demo 'icosphare': no such demo; "));
     assert_non_null(strstr(said.text, "icosphere"));
+    assert_true(depth_layers_file_scale(&s) == 0);
     depth_layers_close(&s);
 }
 

@@ -171,6 +171,7 @@ static void what_stands_still_has_no_rig(void **state)
 static void begin(void)
 {
     assert_true(model_rig_find(&shared, &scene));
+    shared.model.scale = fit.scale; /* as model_meshes sets it */
     assert_true(model_rig_begin(&shared, &fit, 4));
 }
 
@@ -189,7 +190,6 @@ static void the_pose_at_rest_is_in_the_units_of_each_parent(void **state)
     begin();
     const struct ph_rig_node *const nodes = shared.model.motion->animation.rig.nodes;
     assert_int_equal(shared.model.motion->animation.rig.node_count, 5);
-    assert_true(shared.model.motion->scale == .25);
     for (int k = 0; k < 5; k++) {
         assert_memory_equal(shared.rig->nodes[k].length, lengths[k], sizeof lengths[k]);
         assert_int_equal(nodes[k].parent, parents[k]);

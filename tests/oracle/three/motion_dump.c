@@ -23,7 +23,7 @@ int main(int argc, char *argv[])
         return EXIT_FAILURE;
     }
     const double *centre = model->motion->centre;
-    printf("fit %.17g %.17g %.17g %.17g\n", centre[0], centre[1], centre[2], model->motion->scale);
+    printf("fit %.17g %.17g %.17g %.17g\n", centre[0], centre[1], centre[2], model->scale);
     const uint32_t frames = (uint32_t)strtoul(argv[3], NULL, 10), step = (uint32_t)strtoul(argv[4], NULL, 10);
     for (uint32_t frame = 0; frame < frames; frame += step) {
         animation_move(stage, NULL, frame);
