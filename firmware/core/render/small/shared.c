@@ -4,4 +4,5 @@
 #include "../colour.c"
 #include "../depth.c"
 #include "../knee.c"
+#include "../lift.c"
 #include "../transform.c"
