@@ -37,6 +37,14 @@ fx_t fx_log_sat(fx_t a);
  */
 fx_t fx_pow_sat(fx_t x, fx_t y);
 
+/*
+ * The hyperbolic sine, cosine and tangent, error <= 0.5 LSB. The sine saturates beyond 11.09035 and below -11.09035, the
+ * cosine beyond both; the tangent is 1 or -1 from 6.2383 on. Cost: COST.
+ */
+fx_t fx_sinh_sat(fx_t a);
+fx_t fx_cosh_sat(fx_t a);
+fx_t fx_tanh(fx_t a);
+
 /* sqrt(x^2 + y^2), error <= 0.5 LSB. Cost: 378, 96. */
 fx_t fx_hypot_sat(fx_t x, fx_t y);
 

@@ -38,6 +38,21 @@ static bool check_exp(struct range r, uint32_t *wrong)
     return agrees(fx_exp_sat, oracle_exp, FX_INT(-12), FX_INT(11), r, wrong);
 }
 
+static bool check_sinh(struct range r, uint32_t *wrong)
+{
+    return agrees(fx_sinh_sat, oracle_sinh, FX_INT(-12), FX_INT(12), r, wrong);
+}
+
+static bool check_cosh(struct range r, uint32_t *wrong)
+{
+    return agrees(fx_cosh_sat, oracle_cosh, FX_INT(-12), FX_INT(12), r, wrong);
+}
+
+static bool check_tanh(struct range r, uint32_t *wrong)
+{
+    return agrees(fx_tanh, oracle_tanh, FX_INT(-8), FX_INT(8), r, wrong);
+}
+
 static bool check_asin(struct range r, uint32_t *wrong)
 {
     return agrees(fx_asin, oracle_asin, -FX_ONE, FX_ONE, r, wrong);
@@ -249,6 +264,9 @@ static bool check_sqrt_u64(struct range r, uint32_t *wrong)
 static const struct check checks[] = {
     {"exp2_sat", check_exp2},
     {"exp_sat", check_exp},
+    {"sinh_sat", check_sinh},
+    {"cosh_sat", check_cosh},
+    {"tanh", check_tanh},
     {"log2_sat", check_log2},
     {"log_sat", check_log},
     {"asin", check_asin},

@@ -120,6 +120,23 @@ static void exponentials_are_the_nearest(void **state)
     assert_int_equal(fx_exp_sat(FX_ONE), 178145); /* e */
 }
 
+static void hyperbolics_are_the_nearest(void **state)
+{
+    (void)state;
+    unary_agrees("sinh_sat", fx_sinh_sat, oracle_sinh);
+    unary_agrees("cosh_sat", fx_cosh_sat, oracle_cosh);
+    unary_agrees("tanh", fx_tanh, oracle_tanh);
+    for (int32_t off = -50; off <= 50; off++) { /* where they begin to saturate, and where the tangent becomes 1 */
+        for (int side = -1; side <= 1; side += 2) {
+            same("sinh_sat", side * (726817 + off), 0, fx_sinh_sat(side * (726817 + off)),
+                 oracle_sinh(side * (726817 + off)));
+            same("cosh_sat", side * (726817 + off), 0, fx_cosh_sat(side * (726817 + off)),
+                 oracle_cosh(side * (726817 + off)));
+            same("tanh", side * (408834 + off), 0, fx_tanh(side * (408834 + off)), oracle_tanh(side * (408834 + off)));
+        }
+    }
+}
+
 static void logarithms_are_the_nearest(void **state)
 {
     (void)state;
@@ -436,6 +453,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tables_are_what_their_formulas_give),
         cmocka_unit_test(exponentials_are_the_nearest),
+        cmocka_unit_test(hyperbolics_are_the_nearest),
         cmocka_unit_test(logarithms_are_the_nearest),
         cmocka_unit_test(powers_keep_their_bound),
         cmocka_unit_test(integer_root_is_the_floor),

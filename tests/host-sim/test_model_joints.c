@@ -85,8 +85,8 @@ static int vertex_at(const struct model *model, double x, double y)
     const struct model_motion *m = model->motion;
     const struct ph_bound *bound = &m->animation.meshes->bound;
     for (int i = 0; i < 3; i++) {
-        if (fabs(ldexp(bound->positions[i][0], -bound->frac) - (x - m->centre[0]) * m->scale) < .01 &&
-            fabs(ldexp(bound->positions[i][1], -bound->frac) - (y - m->centre[1]) * m->scale) < .01) {
+        if (fabs(ldexp(bound->positions[i][0], -bound->frac) - (x - m->centre[0]) * model->scale) < .01 &&
+            fabs(ldexp(bound->positions[i][1], -bound->frac) - (y - m->centre[1]) * model->scale) < .01) {
             return i;
         }
     }

@@ -161,6 +161,21 @@ static inline int32_t oracle_exp(int32_t a)
     return oracle_of(mpfr_exp, a);
 }
 
+static inline int32_t oracle_sinh(int32_t a)
+{
+    return oracle_of(mpfr_sinh, a);
+}
+
+static inline int32_t oracle_cosh(int32_t a)
+{
+    return oracle_of(mpfr_cosh, a);
+}
+
+static inline int32_t oracle_tanh(int32_t a)
+{
+    return oracle_of(mpfr_tanh, a);
+}
+
 static inline int32_t oracle_log2(int32_t a)
 {
     return a <= 0 ? INT32_MIN : oracle_of(mpfr_log2, a);

@@ -34,7 +34,7 @@ static uint64_t exp2_fraction(uint64_t f)
     return node + (fx_mulhi_u64(node, grown) >> 8);
 }
 
-uint32_t fx_exp2_product(int32_t y, int64_t l_q58)
+uint64_t fx_exp2_parts(int32_t y, int64_t l_q58, int32_t *exponent)
 {
     const uint64_t l = l_q58 < 0 ? 0u - (uint64_t)l_q58 : (uint64_t)l_q58;
     const uint32_t size = fx_magnitude(y);
@@ -46,11 +46,19 @@ uint32_t fx_exp2_product(int32_t y, int64_t l_q58)
         n = f != 0 ? -n - 1 : -n;
         f = 0u - f;
     }
+    *exponent = n;
+    return exp2_fraction(f);
+}
+
+uint32_t fx_exp2_product(int32_t y, int64_t l_q58)
+{
+    int32_t n;
+    const uint64_t fraction = fx_exp2_parts(y, l_q58, &n);
     if (n < -17 || n > 14) {
         return n < 0 ? 0 : (uint32_t)1 << 31;
     }
     const int shift = 46 - n;
-    return (uint32_t)((exp2_fraction(f) + ((uint64_t)1 << (shift - 1))) >> shift);
+    return (uint32_t)((fraction + ((uint64_t)1 << (shift - 1))) >> shift);
 }
 
 static fx_t clamped(uint32_t v)

@@ -27,6 +27,10 @@ static inline uint32_t fx_quotient_u32(uint32_t n, uint32_t d)
  */
 uint32_t fx_exp2_product(int32_t y, int64_t l_q58);
 
+/* 2^(y l) of the same y and l, as a number of 1 to below 2, in 2^-62 with a relative error < 2^-57, times 2^*exponent.
+ */
+uint64_t fx_exp2_parts(int32_t y, int64_t l_q58, int32_t *exponent);
+
 /* log2(a) in 2^-58 of a number in 2^-16, a > 0; error < 2^-53. Exact where a is a power of two. */
 int64_t fx_log2_q58(uint32_t a);
 

@@ -136,7 +136,9 @@ bool sim_window_input(const struct sim_window *window, struct sim_window_input *
 {
     bool open = true;
     *input = (struct sim_window_input){.buttons = 0};
-    for (SDL_Event event; !input->step && SDL_PollEvent(&event);) { /* keys behind a step are of the next picture */
+    SDL_PumpEvents();
+    for (SDL_Event event; !input->step && /* keys behind a step are of the next picture */
+                          SDL_PeepEvents(&event, 1, SDL_GETEVENT, SDL_FIRSTEVENT, SDL_LASTEVENT) == 1;) {
         if (event.type == SDL_QUIT) {
             open = false;
         } else if (event.type == SDL_KEYDOWN) {

@@ -27,7 +27,7 @@ static const struct model_fit fit = {.scale = .5};
 static bool make(struct model_clip *clips, uint32_t n)
 {
     memset(&shared, 0, sizeof shared);
-    motion = (struct model_motion){.scale = 1};
+    memset(&motion, 0, sizeof motion);
     scene = (struct model_scene){.nodes = nodes, .clips = clips, .node_count = 2, .clip_count = n};
     rig = (struct model_rig){.scene = &scene, .nodes = rig_nodes};
     shared.rig = &rig;
