@@ -10,7 +10,7 @@
  *
  * The error bounds below are proved by `make test-exhaustive`: for every input of the unary functions, and against
  * 128-bit integers for all pairs of edge values of the binary ones. All tables together have 1264 bytes.
- * fx_math.h has further functions.
+ * fx_math.h has further functions, and fx/fx.hpp a number type for C++.
  */
 #ifndef FX_H
 #define FX_H

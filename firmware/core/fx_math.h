@@ -13,13 +13,15 @@
 
 #include "fx.h"
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /* ---- powers and logarithms ------------------------------------------------------------------------------------- */
 
-/* 2^a and e^a, error <= 0.5 LSB. FX_MAX from 15 and from 10.39721 on; 0 below -17 and below -11.78350. Cost: 940, 160.
+/* 2^a and e^a, error <= 0.5 LSB. FX_MAX from 15 and from 10.39721 on; 0 below -17 and below -11.78350. Cost: 972, 168.
  */
 fx_t fx_exp2_sat(fx_t a);
 fx_t fx_exp_sat(fx_t a);
@@ -33,13 +35,13 @@ fx_t fx_log_sat(fx_t a);
 
 /*
  * x^y, error <= 0.5 LSB + 2^-7 LSB. For x < 0 and a whole y the sign is that of (-1)^y; for x < 0 and any other y,
- * which has no real power, the result is 0. x^0 is 1. 0^y is 0 for y > 0, FX_MAX for y < 0. Cost: 1500, 280.
+ * which has no real power, the result is 0. x^0 is 1. 0^y is 0 for y > 0, FX_MAX for y < 0. Cost: 1500, 291.
  */
 fx_t fx_pow_sat(fx_t x, fx_t y);
 
 /*
- * The hyperbolic sine, cosine and tangent, error <= 0.5 LSB. The sine saturates beyond 11.09035 and below -11.09035, the
- * cosine beyond both; the tangent is 1 or -1 from 6.2383 on. Cost: COST.
+ * The hyperbolic sine, cosine and tangent, error <= 0.5 LSB. The sine saturates beyond 11.09035 and below -11.09035,
+ * the cosine beyond both; the tangent is 1 or -1 from 6.2383 on. Cost: 1910, 365; 1905, 365; 2660, 500.
  */
 fx_t fx_sinh_sat(fx_t a);
 fx_t fx_cosh_sat(fx_t a);
@@ -122,6 +124,45 @@ static inline int32_t fx_to_q30_sat(fx_t a)
 {
     return fx_sat64((int64_t)a * (1 << 14));
 }
+
+/* ---- sums in Q32.32 -------------------------------------------------------------------------------------------- */
+
+/*
+ * A number in Q32.32: -2^31 to just below 2^31, in steps of 2^-32. A product of two numbers of Q16.16 has 32 bits of
+ * fraction; a sum of products in Q32.32 is rounded once, at its end.
+ */
+typedef int64_t fx_sum_t;
+
+/* a in Q32.32, exactly. */
+static inline fx_sum_t fx_sum_of(fx_t a)
+{
+    return (fx_sum_t)a * FX_ONE;
+}
+
+/* a + b, and sum + a b: exact, or the nearest that Q32.32 holds. A sum that once was cut off stays wrong, so the order
+ * counts then. Cost: 38, 21; 69, 18. */
+fx_sum_t fx_sum_add_sat(fx_sum_t a, fx_sum_t b);
+fx_sum_t fx_sum_mul_sat(fx_sum_t sum, fx_t a, fx_t b);
+
+/* A sum in Q16.16, rounded to nearest. */
+fx_t fx_from_sum_sat(fx_sum_t sum);
+
+/* ---- arrays of n numbers; cost is that of an element ----------------------------------------------------------- */
+
+/* to[i] = a[i] + b[i], a[i] - b[i], a[i] b[i], a[i] by: as fx_add_sat, fx_sub_sat and fx_mul_sat have it. `to` may be a
+ * or b. Cost: 18, 9; 18, 9; 46, 13; 44, 12. */
+void fx_add_array_sat(fx_t *to, const fx_t *a, const fx_t *b, size_t n);
+void fx_sub_array_sat(fx_t *to, const fx_t *a, const fx_t *b, size_t n);
+void fx_mul_array_sat(fx_t *to, const fx_t *a, const fx_t *b, size_t n);
+void fx_scale_array_sat(fx_t *to, const fx_t *a, fx_t by, size_t n);
+
+/* to[i] = f(a[i]), where f is any function of one number, as fx_sqrt. `to` may be a. */
+void fx_map_array(fx_t *to, const fx_t *a, size_t n, fx_t (*f)(fx_t));
+
+/* a[0] + .. + a[n - 1], exactly if n <= 65536; and a[0] b[0] + .. + a[n - 1] b[n - 1]. 0 for n = 0. Cost: 26,
+ * 8; 59, 7. */
+fx_sum_t fx_sum_array_sat(const fx_t *a, size_t n);
+fx_sum_t fx_dot_array_sat(const fx_t *a, const fx_t *b, size_t n);
 
 /* ---- text ------------------------------------------------------------------------------------------------------ */
 

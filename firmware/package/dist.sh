@@ -33,7 +33,7 @@ esp_idf() {
     mkdir -p "$to/include/pinhole" "$to/examples"
     cp -r "$core" "$work/tree/LICENSE" "$to"
     cp "$here"/examples/{esp_lcd.c,lvgl.c,ph_lvgl.c,ph_lvgl.h,triangle.h} "$to/examples"
-    cp "$core"/*.h "$core/kernels/portable/fx_cpu.h" "$to/include/pinhole"
+    cp "$core"/*.h "$core"/fx/*.hpp "$core/kernels/portable/fx_cpu.h" "$to/include/pinhole"
     fill "$here/idf_component.yml.in" >"$to/idf_component.yml"
     cp "$here/esp_idf.cmake" "$to/CMakeLists.txt"
     (cd "$work/esp" && zip -qr -X "$1" pinhole)
@@ -81,7 +81,7 @@ arduino() {
     local to=$work/arduino/Pinhole src name
     src=$to/src/pinhole
     mkdir -p "$src"
-    cp "$core"/{fx,geom,render,effects}/*.[ch] "$core"/*.h "$core"/kernels/*.inc "$src"
+    cp "$core"/{fx,geom,render,effects}/*.[ch] "$core"/fx/*.hpp "$core"/*.h "$core"/kernels/*.inc "$src"
     for name in "$core"/kernels/*.h; do flat "$name" >"$src/${name##*/}"; done
     for name in $(find "$core"/kernels/{portable,armv6m,armv7m,rv32} -type f -printf '%f\n' | sort -u); do
         if [ "$(find "$core"/kernels/{portable,armv6m,armv7m,rv32} -name "$name" | wc -l)" = 1 ] && [[ $name == *.inc || $name == *_portable.h ]]; then

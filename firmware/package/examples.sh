@@ -47,7 +47,7 @@ run() { # program, picture, compiler, flag...
     local flags='-std=c11'
     [ "${source%.cpp}" = "$source" ] || flags='-std=c++11'
     mkdir -p "$B/examples/include/pinhole"
-    { flock 9 && cp -u firmware/core/*.h firmware/core/kernels/portable/fx_cpu.h "$B/examples/include/pinhole"; } 9>"$B/examples/lock" # several may run
+    { flock 9 && cp -u firmware/core/*.h firmware/core/fx/*.hpp firmware/core/kernels/portable/fx_cpu.h "$B/examples/include/pinhole"; } 9>"$B/examples/lock" # several may run
     "$@" $flags -Wall -Werror -I"$B/examples/include" -I$here "$source" "$B/libpinhole.a" -pthread -o "$picture.program"
     "$picture.program" >"$picture"
 }

@@ -40,13 +40,13 @@ install-programs: all
 
 install-dev: $(B)/libpinhole.a ## the library alone: headers, libpinhole.a, its sources for CMake projects of another CPU
 	install -d '$(INCLUDES)' '$(LIBRARY)/pkgconfig' '$(LIBRARY)/cmake/Pinhole' '$(SOURCES)/package' $(CORE_ROOMS:%='$(SOURCES)/core/%')
-	$(INSTALL) firmware/core/*.h firmware/core/kernels/portable/fx_cpu.h '$(INCLUDES)'
+	$(INSTALL) firmware/core/*.h firmware/core/fx/*.hpp firmware/core/kernels/portable/fx_cpu.h '$(INCLUDES)'
 	$(INSTALL) $(B)/libpinhole.a '$(LIBRARY)'
 	$(FILL) $(HERE)/pinhole.pc.in >'$(LIBRARY)/pkgconfig/pinhole.pc'
 	$(FILL) $(HERE)/PinholeConfig.cmake.in >'$(LIBRARY)/cmake/Pinhole/PinholeConfig.cmake'
 	$(FILL) $(HERE)/PinholeConfigVersion.cmake.in >'$(LIBRARY)/cmake/Pinhole/PinholeConfigVersion.cmake'
 	$(INSTALL) $(HERE)/pinhole.cmake '$(SOURCES)/package'
-	$(INSTALL) firmware/core/*.h '$(SOURCES)/core'
+	$(INSTALL) firmware/core/*.h firmware/core/fx/*.hpp '$(SOURCES)/core'
 	for room in $(CORE_ROOMS); do find firmware/core/$$room -maxdepth 1 -type f -exec $(INSTALL) {} '$(SOURCES)/core'/$$room ';' || exit 1; done
 
 uninstall: ## takes away what install brought

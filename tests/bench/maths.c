@@ -1,7 +1,7 @@
 /*
- * maths: what the functions of fx.h and fx_math.h cost: one line a function, `NAME - - CALLS INSTRUCTIONS` for the
- * calls with inputs of all magnitudes, which the loop `empty` is to be subtracted from (run.sh with PROGRAM=maths,
- * maths.sh).
+ * maths: what the functions of fx.h and fx_math.h cost: one line a function, `NAME - - CALLS INSTRUCTIONS`
+ * for the calls with inputs of all magnitudes, which the loop `empty` is to be subtracted from (run.sh with
+ * PROGRAM=maths, maths.sh).
  */
 #include "bench.h"
 
@@ -43,6 +43,21 @@ static int32_t exp2_in_range(int32_t a)
     return fx_exp2_sat(a % (15 * FX_ONE));
 }
 
+static int32_t sinh_in_range(int32_t a)
+{
+    return fx_sinh_sat(a % (11 * FX_ONE));
+}
+
+static int32_t cosh_in_range(int32_t a)
+{
+    return fx_cosh_sat(a % (11 * FX_ONE));
+}
+
+static int32_t tanh_in_range(int32_t a)
+{
+    return fx_tanh(a % (6 * FX_ONE));
+}
+
 static int32_t log_of_positive(int32_t a)
 {
     return fx_log_sat(a & INT32_MAX);
@@ -71,6 +86,47 @@ static int32_t asin_in_range(int32_t a)
 static int32_t sqrt_u64(int32_t a, int32_t b)
 {
     return (int32_t)fx_sqrt_u64((uint64_t)(uint32_t)a << 32 | (uint32_t)b);
+}
+
+/* Arrays: what one element takes. */
+static fx_t array[CALLS];
+
+static void run_add_array(void)
+{
+    fx_add_array_sat(array, inputs, inputs + 1, CALLS);
+    sum = (uint32_t)array[CALLS / 2];
+}
+
+static void run_mul_array(void)
+{
+    fx_mul_array_sat(array, inputs, inputs + 1, CALLS);
+    sum = (uint32_t)array[CALLS / 2];
+}
+
+static void run_scale_array(void)
+{
+    fx_scale_array_sat(array, inputs, inputs[3], CALLS);
+    sum = (uint32_t)array[CALLS / 2];
+}
+
+static void run_sum_array(void)
+{
+    sum = (uint32_t)(fx_sum_array_sat(inputs, CALLS) >> 16);
+}
+
+static void run_dot_array(void)
+{
+    sum = (uint32_t)(fx_dot_array_sat(inputs, inputs + 1, CALLS) >> 16);
+}
+
+static int32_t sum_add(int32_t a, int32_t b)
+{
+    return (int32_t)(fx_sum_add_sat(fx_sum_of(a), fx_sum_of(b)) >> 16);
+}
+
+static int32_t sum_mul(int32_t a, int32_t b)
+{
+    return (int32_t)(fx_sum_mul_sat(fx_sum_of(a), a, b) >> 16);
 }
 
 static int32_t sincos(int32_t a)
@@ -105,6 +161,9 @@ UNARY(fx_tan_sat)
 UNARY(sincos)
 UNARY(exp_in_range)
 UNARY(exp2_in_range)
+UNARY(sinh_in_range)
+UNARY(cosh_in_range)
+UNARY(tanh_in_range)
 UNARY(log_of_positive)
 UNARY(log2_of_positive)
 UNARY(asin_in_range)
@@ -123,6 +182,8 @@ BINARY(fx_hypot_sat)
 BINARY(fx_fmod)
 BINARY(pow_in_range)
 BINARY(sqrt_u64)
+BINARY(sum_add)
+BINARY(sum_mul)
 
 #define ROW(f)                                                                                                         \
     {                                                                                                                  \
@@ -148,6 +209,9 @@ static const struct row {
     ROW(asin_in_range),
     ROW(exp_in_range),
     ROW(exp2_in_range),
+    ROW(sinh_in_range),
+    ROW(cosh_in_range),
+    ROW(tanh_in_range),
     ROW(log_of_positive),
     ROW(log2_of_positive),
     ROW(pow_in_range),
@@ -160,6 +224,13 @@ static const struct row {
     ROW(fx_fmod),
     ROW(convert),
     ROW(text_of_3_places),
+    ROW(sum_add),
+    ROW(sum_mul),
+    ROW(add_array),
+    ROW(mul_array),
+    ROW(scale_array),
+    ROW(sum_array),
+    ROW(dot_array),
 };
 
 int main(void)

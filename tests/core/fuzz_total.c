@@ -202,28 +202,11 @@ static volatile int32_t kept;
 
 static void unary(const int32_t *a)
 {
-    static fx_t (*const f[])(fx_t) = {fx_neg_sat,
-                                      fx_abs_sat,
-                                      fx_rcp_sat,
-                                      fx_sqrt,
-                                      fx_rsqrt_sat,
-                                      fx_sin,
-                                      fx_cos,
-                                      fx_tan_sat,
-                                      fx_exp2_sat,
-                                      fx_exp_sat,
-                                      fx_log2_sat,
-                                      fx_log_sat,
-                                      fx_asin,
-                                      fx_acos,
-                                      fx_turns_from_rad,
-                                      fx_rad_from_turns_sat,
-                                      fx_cot_half_q20,
-                                      fx_floor,
-                                      fx_ceil_sat,
-                                      fx_round_sat,
-                                      fx_from_q30,
-                                      fx_to_q30_sat};
+    static fx_t (*const f[])(fx_t) = {
+        fx_neg_sat,  fx_abs_sat,   fx_rcp_sat,  fx_sqrt,           fx_rsqrt_sat,          fx_sin,          fx_cos,
+        fx_tan_sat,  fx_exp2_sat,  fx_exp_sat,  fx_sinh_sat,       fx_cosh_sat,           fx_tanh,         fx_log2_sat,
+        fx_log_sat,  fx_asin,      fx_acos,     fx_turns_from_rad, fx_rad_from_turns_sat, fx_cot_half_q20, fx_floor,
+        fx_ceil_sat, fx_round_sat, fx_from_q30, fx_to_q30_sat};
     for (size_t i = 0; i < sizeof f / sizeof f[0]; i++) {
         kept = f[i](*a);
     }
@@ -274,6 +257,26 @@ static void ternary(const int32_t *a)
     check(fx_lerp_sat(a[0], a[1], a[2]) == rounded((__int128)a[0] * FX_ONE + ((__int128)a[1] - a[0]) * a[2], 16),
           "fx_lerp_sat is not rounded once");
     kept = fx_clamp(a[0], a[1], a[2]);
+    const int64_t sum = (int64_t)((uint64_t)(uint32_t)a[0] << 32 | (uint32_t)a[1]),
+                  grown = fx_sum_mul_sat(sum, a[1], a[2]);
+    const __int128 exact = sum + (__int128)a[1] * a[2];
+    check(grown == (exact > INT64_MAX ? INT64_MAX : exact < INT64_MIN ? INT64_MIN : exact), "fx_sum_mul_sat");
+    check(fx_sum_add_sat(sum, fx_sum_of(a[2])) == fx_sum_mul_sat(sum, a[2], FX_ONE), "fx_sum_add_sat");
+    check(fx_from_sum_sat(sum) == rounded(sum, 16), "fx_from_sum_sat");
+    fx_t each[2];
+    fx_add_array_sat(each, a, a + 1, 2);
+    check(each[1] == fx_add_sat(a[1], a[2]), "fx_add_array_sat");
+    fx_sub_array_sat(each, a, a + 1, 2);
+    check(each[1] == fx_sub_sat(a[1], a[2]), "fx_sub_array_sat");
+    fx_mul_array_sat(each, a, a + 1, 2);
+    check(each[1] == fx_mul_sat(a[1], a[2]), "fx_mul_array_sat");
+    fx_scale_array_sat(each, a, a[2], 2);
+    check(each[1] == fx_mul_sat(a[1], a[2]), "fx_scale_array_sat");
+    fx_map_array(each, a, 2, fx_neg_sat);
+    check(each[1] == fx_neg_sat(a[1]), "fx_map_array");
+    check(fx_sum_array_sat(a, 3) == ((int64_t)a[0] + a[1] + a[2]) * FX_ONE, "fx_sum_array_sat");
+    check(fx_dot_array_sat(a, a + 1, 2) == fx_sum_mul_sat(fx_sum_mul_sat(0, a[0], a[1]), a[1], a[2]),
+          "fx_dot_array_sat");
     const int from = a[1] & 31, to = a[2] & 31;
     check(fx_convert_sat(a[0], from, to) == rounded((__int128)a[0] * ((__int128)1 << (to + 1)), from + 1),
           "fx_convert_sat");

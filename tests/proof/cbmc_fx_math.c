@@ -5,6 +5,8 @@
 #include "../../firmware/core/fx/fx_arcsin.c"
 #include "../../firmware/core/fx/fx_atan.c"
 #include "../../firmware/core/fx/fx_exp.c"
+#include "../../firmware/core/fx/fx_array.c"
+#include "../../firmware/core/fx/fx_hyperbolic.c"
 #include "../../firmware/core/fx/fx_hypot.c"
 #include "../../firmware/core/fx/fx_log.c"
 #include "../../firmware/core/fx/fx_pow.c"
@@ -24,6 +26,24 @@ void proof_exp2(void)
 void proof_exp(void)
 {
     fx_exp_sat(nondet_i32());
+}
+
+void proof_sinh(void)
+{
+    fx_sinh_sat(nondet_i32());
+    fx_cosh_sat(nondet_i32());
+}
+
+void proof_tanh(void)
+{
+    fx_tanh(nondet_i32());
+}
+
+void proof_sums(void)
+{
+    fx_sum_mul_sat(nondet_i64(), nondet_i32(), nondet_i32());
+    fx_from_sum_sat(nondet_i64());
+    fx_sum_of(nondet_i32());
 }
 
 void proof_log2(void)

@@ -41,6 +41,9 @@ fx.sincos                |                       |  1 | no overflow
 fx.atan2                 | fx_tangent_ratio      | 13 | no overflow
 fx_math.exp2             |                       | 20 | no overflow
 fx_math.exp              |                       | 20 | no overflow
+fx_math.sinh             |                       | 20 | no overflow
+fx_math.tanh             | fx_quotient_u64       | 20 | no overflow
+fx_math.sums             |                       | 20 | no overflow
 fx_math.log2             |                       | 20 | no overflow
 fx_math.log              |                       | 20 | no overflow
 fx_math.pow              |                       | 20 | no overflow
