@@ -35,6 +35,7 @@ struct asset {
     uint32_t triangles_read, vertices_read;
     bool is_simplified;
     double error; /* by how much simplification moved the surface, at most and about, in radii of the model */
+    double off;   /* the share of its pixels that look different, of asset_compare(); 0: not looked at */
     double fetched_read, fetched; /* vertices per triangle that are not among the 16 used last, before and after */
     uint32_t listed;              /* triangles of a frame at most, of what asset_measure() looked at */
 };

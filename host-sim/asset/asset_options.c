@@ -66,6 +66,10 @@ static const struct option_row rows[] = {
      "prints how much flash the scene needs, and how much memory on each board: bands of the picture, and the scene's\n"
      "        vertices and the most triangles that a frame lists, looked at from all sides, from afar and near by",
      NULL, .at = offsetof(struct asset_options, report)},
+    {"force", NULL,
+     "writes a model that simplification has changed too much, too: one of which more than a tenth of the pixels are\n"
+     "        off by more than 40 of 255, seen from eight sides",
+     NULL, .at = offsetof(struct asset_options, force)},
     {"check-bounds", NULL,
      "looks whether the meshes of MODEL, a .c or .phs file that this program wrote, keep within their bounds", NULL,
      .at = offsetof(struct asset_options, check)},

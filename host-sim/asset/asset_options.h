@@ -8,7 +8,7 @@ struct asset_options {
     struct asset_goal goal;
     struct model_options model_options;
     const char *out, *clip;
-    bool report, check, help;
+    bool report, force, check, help;
 };
 
 /* Reads the command line. 0 or PH_ERR_INVAL. */

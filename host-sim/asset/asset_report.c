@@ -89,6 +89,9 @@ static void report_model(FILE *file, const struct asset *asset)
     if (asset->is_simplified) {
         fprintf(file, "; the surface moved by about %.2g %% of the model's radius", 100 * asset->error);
     }
+    if (asset->off > 0) {
+        fprintf(file, ", %.2g %% of its pixels are off", 100 * asset->off);
+    }
     fprintf(file, "\nvertices   %u of %u%s, %u in the largest of %u meshes\n", (unsigned)vertices,
             (unsigned)asset->vertices_read, vertices < asset->vertices_read ? " (equal ones are one)" : "",
             (unsigned)model->vertex_max, (unsigned)model->mesh_count);

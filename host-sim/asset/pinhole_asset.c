@@ -2,6 +2,7 @@
 #define _XOPEN_SOURCE 700 /* open_memstream, isatty */
 
 #include "asset_check.h"
+#include "asset_compare.h"
 #include "asset_fit.h"
 #include "asset_options.h"
 #include "complain.h"
@@ -53,16 +54,36 @@ static int save_scene(const struct asset *asset, const char *path)
     return status;
 }
 
+/* Looks how much simplification has changed, as the board shows it. */
+static int compare(struct asset *asset, const struct model *model, const struct board *board)
+{
+    const uint16_t width = board != NULL ? panel_width(board->panel, board->rotation) : 240;
+    const uint16_t height = board != NULL ? panel_height(board->panel, board->rotation) : 135;
+    return asset->is_simplified ? asset_compare(asset, model, width, height, &asset->off) : 0;
+}
+
+static int refuse(const struct asset *asset, const struct asset_options *o)
+{
+    return complain("%s: of its %u triangles %u remain, and %.0f %% of its pixels are off; more than %.0f %% takes "
+                    "--force (make: SCENE_FLAGS=--force), or more triangles, or a board with more room",
+                    o->goal.model, (unsigned)asset->triangles_read, (unsigned)asset->model.triangle_count,
+                    100 * asset->off, 100 * ASSET_OFF_MOST);
+}
+
 static int run_on(const struct model *model, const struct asset_options *o)
 {
     struct asset asset;
     int status = asset_fit_make(&asset, model, &o->goal);
+    status = status == 0 ? compare(&asset, model, o->goal.board) : status;
     if (status == 0 && o->report) { /* of what does not fit, too: it says by how much */
         status = asset_report(stdout, &asset, o->goal.board);
         fflush(stdout);
     }
     if (status == 0) {
         status = asset_fit_check(&asset, model, &o->goal);
+    }
+    if (status == 0 && asset.off > ASSET_OFF_MOST && !o->force) {
+        status = refuse(&asset, o);
     }
     if (status == 0 && o->out != NULL) {
         status = (option_text_ends(o->out, ".phs") ? save_scene : save)(&asset, o->out);

@@ -39,7 +39,7 @@ compile() { # scene.c, program
 # The compiled file against what pinhole-asset has in memory, and (no fewer triangles) against the model file.
 same_frames() { # model, triangles, boards...
     local model=$1 triangles=$2 board last
-    "$asset" "$model" -o "$dir/same.c" --max-triangles "${triangles/4294967295/all}" && compile "$dir/same.c" "$dir/same" || return 1
+    "$asset" "$model" -o "$dir/same.c" --max-triangles "${triangles/4294967295/all}" --force && compile "$dir/same.c" "$dir/same" || return 1
     for board in "${@:3}"; do
         "$dir/same" "$board" 8 32 - "$model" "$triangles" 8 own >"$dir/said" || { echo "$board" && return 1; }
         last=$(tail -n 1 "$dir/said")
@@ -319,6 +319,14 @@ an_image_draws_it() { # model, its name: in QEMU, as the compiled file on the si
         [ "$(wc -l <"$dir/emulated.crc")" = 2 ]
 }
 
+# Of a sphere of 640 triangles 12 are a lump: that is refused, and nothing is written, until it is asked for twice.
+what_simplification_spoils_is_refused() {
+    refuses 1 '[2-9][0-9] % of its pixels are off' "$dir/sphere.obj" -o "$dir/lump.c" --max-triangles 12 && [ ! -e "$dir/lump.c" ] &&
+        "$asset" "$dir/sphere.obj" -o "$dir/lump.c" --max-triangles 12 --force && [ -s "$dir/lump.c" ] &&
+        "$asset" "$dir/sphere.obj" --report --max-triangles 500 >"$dir/report" && grep -q 'radius, [0-9.]* % of its pixels are off$' "$dir/report" &&
+        "$asset" "$dir/sphere.obj" --report >"$dir/report" && ! grep -q 'are off' "$dir/report"
+}
+
 an_image_too_large_is_not_made() {
     ! make_image firmware BOARD=lm3s6965evb SCENE="$dir/sphere.obj" SCENE_TRIANGLES=all >"$dir/out" 2>"$dir/err" && grep -q 'SCENE_TRIANGLES=fit' "$dir/err" &&
         [ ! -e "$B/firmware/lm3s6965evb-sphere.elf" ]
@@ -327,6 +335,7 @@ an_image_too_large_is_not_made() {
 short "a triangle with two corners in one place is dropped, a model without an area refused" no_area_is_dropped_or_refused
 short "the file, the C scene and the binary scene are one picture" the_three_forms_are_one_picture
 long "... over a whole turn" the_three_forms_are_one_picture
+short "a model that simplification spoils is refused" what_simplification_spoils_is_refused
 short "bounds that lie are found" bounds_that_lie_are_found
 short "long work shows a bar on a terminal" bar_is_for_terminals
 short "the simulator shows what the kit has room for" the_simulator_shows_what_the_kit_has_room_for

@@ -42,16 +42,16 @@ printf 'newmtl ring\nmap_Kd ring.png\n' >"$to/ring.mtl"
 "$B/pinhole-sim" --demo testcard --size 128x64 --out "$to/ring.png"
 
 # What the page does without being told: as many triangles as pico-display-2 has room for.
-"$B/pinhole-asset" "$to/made.glb" --board pico-display-2 --max-triangles fit -o "$to/fit.phs" 2>/dev/null
+"$B/pinhole-asset" "$to/made.glb" --board pico-display-2 --max-triangles fit --force -o "$to/fit.phs" 2>/dev/null
 "$B/pinhole-sim" --model "$to/fit.phs" --board pico-display-2 --crc | sed 's/.* //' >"$to/scene.crc"
 # The same in another light.
-"$B/pinhole-asset" "$to/made.glb" --board pico-display-2 --max-triangles fit --background 336699 --light left -o "$to/light.phs" 2>/dev/null
+"$B/pinhole-asset" "$to/made.glb" --board pico-display-2 --max-triangles fit --force --background 336699 --light left -o "$to/light.phs" 2>/dev/null
 # Step 501 of the 1000 of its slider.
 triangles=$(node -p 'Math.round(16 * (1152 / 16) ** 0.501)')
 for kind in phs c; do
-    "$B/pinhole-asset" "$to/ring.obj" --max-triangles "$triangles" -o "$to/ring.$kind" 2>/dev/null
+    "$B/pinhole-asset" "$to/ring.obj" --max-triangles "$triangles" --force -o "$to/ring.$kind" 2>/dev/null
 done
-"$B/pinhole-asset" "$to/ring.obj" --max-triangles "$triangles" --report | sed -n 's/^triangles  \([0-9]*\) of.*/\1/p' >"$to/ring.triangles"
+"$B/pinhole-asset" "$to/ring.obj" --max-triangles "$triangles" --force --report | sed -n 's/^triangles  \([0-9]*\) of.*/\1/p' >"$to/ring.triangles"
 
 # For the long test: a folder, a model that takes long, an empty file that is made large, and made.glb on these boards.
 shift
@@ -62,6 +62,6 @@ for ((i = 0; i < 200; i++)); do cat "$to/ring.obj"; done >"$to/large.obj"
 "$B/pinhole-asset" "$to/ring.obj" --max-triangles all -o "$to/whole.phs" 2>/dev/null
 "$B/pinhole-sim" --model "$to/whole.phs" --size 320x240 --crc | sed 's/.* //' >"$to/whole.crc"
 for board; do
-    "$B/pinhole-asset" "$to/made.glb" --board "$board" --max-triangles fit -o "$to/board.phs" 2>/dev/null
+    "$B/pinhole-asset" "$to/made.glb" --board "$board" --max-triangles fit --force -o "$to/board.phs" 2>/dev/null
     echo "$board $("$B/pinhole-sim" --model "$to/board.phs" --board "$board" --crc | sed 's/.* //')"
 done >"$to/boards"
