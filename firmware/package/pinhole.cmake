@@ -58,7 +58,7 @@ endforeach()
 
 # The public headers as <pinhole/...>, away from the private ones.
 set(_include "${CMAKE_CURRENT_BINARY_DIR}/pinhole-include")
-file(GLOB _headers "${_core}/*.h" "${_core}/kernels/portable/fx_cpu.h")
+file(GLOB _headers "${_core}/*.h" "${_core}/fx/*.hpp" "${_core}/kernels/portable/fx_cpu.h")
 file(COPY ${_headers} DESTINATION "${_include}/pinhole")
 
 # Assembly goes through the C compiler, so that it gets the project's C flags (-mcpu=...).
