@@ -60,6 +60,33 @@ void ph_draw_run_linear(const struct ph_triangle *t, const struct ph_run *run)
     }
 }
 
+/* How many of the next `left` pixels stay in the octave; the first has depth d, and counts in any case. A d just below
+ * 0 wraps to the top of the range, where the octave's size is 0: it stays there until it comes back, if it rises. */
+static inline uint32_t octave_pixels(const struct ph_octave *octave, uint32_t d, uint32_t gd, uint32_t left)
+{
+    const bool rises = (int32_t)gd > 0;
+    if (octave->size == 0 && !rises) {
+        return left;
+    }
+    const uint32_t to_last = rises ? octave->bottom + octave->size - 1 - d : d - octave->bottom;
+    const uint32_t room = fx_quotient_far(to_last, fx_magnitude((int32_t)gd)) + 1;
+    return room < left ? room : left;
+}
+
+struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32_t d, uint32_t *n)
+{
+    const uint32_t gd = t->as.large.depth.as.plane.gx;
+    if (t->block >= PH_BLOCK_LINEAR) {
+        return (struct ph_piece){d, gd};
+    }
+    struct ph_octave octave;
+    ph_octave_of(&octave, t, d, gd);
+    if (!ph_octave_holds(&octave, d, d + gd * (*n - 1))) { /* only this takes a division */
+        *n = octave_pixels(&octave, d, gd, *n);
+    }
+    return (struct ph_piece){ph_depth_float16_code(&octave, d), octave.size > 0 ? octave.slope : 0};
+}
+
 /* Draws a row in as many runs as it needs. */
 static void draw_span(const struct ph_triangle *t, const struct ph_band *band, struct ph_run run)
 {

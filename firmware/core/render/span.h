@@ -117,48 +117,14 @@ static inline void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n
     }
 }
 
-/* How many of the next `left` pixels stay in the octave of d (units of 2^-(32 + block)); at least 1. A d just below 0
- * wraps to the top of the range; it belongs to the lowest octave until it comes back. */
-static inline uint32_t ph_octave_pixels(uint32_t d, uint32_t gd, int octave, int lowest, uint32_t left)
-{
-    const bool wrapped = d >= PH_DEPTH_WRAPPED;
-    const uint32_t top = octave <= 0 ? PH_DEPTH_WRAPPED - 1 : UINT32_MAX >> octave; /* last d of the octave */
-    const uint32_t bottom = octave >= lowest ? 0 : ((uint32_t)1 << 31) >> octave;
-    uint32_t room;
-    if ((int32_t)gd >= 0) {
-        room = gd == 0 ? left : fx_quotient_far(wrapped ? 0u - d - 1 : top - d, gd) + 1;
-    } else {
-        room = wrapped ? left : fx_quotient_far(d - bottom, 0u - gd) + 1;
-    }
-    return room < left ? room : left;
-}
-
 /* A run of pixels along which the depth code is linear: the 16.16 code at its first pixel, and its step. */
 struct ph_piece {
     uint32_t d, gd;
 };
 
-/* The run of *n pixels that begins with depth d, in units of the triangle's plane. If the depth is a float and crosses
- * octaves, *n is cut down to the pixels in the first one. */
-static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32_t d, uint32_t *n)
-{
-    const uint32_t gd = t->as.large.depth.as.plane.gx;
-    if (t->block >= PH_BLOCK_LINEAR) {
-        return (struct ph_piece){d, gd};
-    }
-    const bool wrapped = d >= PH_DEPTH_WRAPPED;
-    const int block = ph_block_exponent(t->block), down = ph_block_down(t->block);
-    const int lowest = ph_depth_lowest(block, down), octave = ph_depth_octave(wrapped ? 0 : d, lowest);
-    const uint32_t bias = ph_depth_bias(t->material) << 13;
-    const uint32_t last = d + gd * (*n - 1);
-    if (wrapped || last >= PH_DEPTH_WRAPPED ||
-        !ph_depth_in_octave(last, octave, lowest)) { /* only this takes a division */
-        *n = ph_octave_pixels(d, gd, octave, lowest, *n);
-    }
-    return (struct ph_piece){ph_depth_float16_value(wrapped ? 0 : d, octave - down) +
-                                 ph_depth_float16_offset(octave, block, down) + bias,
-                             wrapped ? 0 : ph_depth_float16_slope(gd, octave - down)};
-}
+/* raster_walk.c: the run of *n pixels that begins with depth d, in units of the triangle's plane. If the depth is a
+ * float and crosses octaves, *n is cut down to the pixels in the first one. */
+struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32_t d, uint32_t *n);
 
 /* An octave of a triangle's d, bottom .. bottom + size - 1. It is kept: the next row mostly lies in it, too. */
 struct ph_octave {
