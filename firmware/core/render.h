@@ -558,7 +558,7 @@ struct ph_dithered_ramp {
 
 /* The caller sets ramps and ramp_max; all else begins as zeros. */
 struct ph_dither {
-    uintptr_t calls[6];             /* private */
+    uintptr_t calls[5];             /* private */
     struct ph_dithered_ramp *ramps; /* room for dithered ramps, which begins as zeros */
     uint32_t ramp_max;              /* so many: one for each ramp that a frame has in GOURAUD */
     uint32_t left_out;              /* materials of the last frame that are not dithered: there was no room */

@@ -17,7 +17,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fx_mul fill span_flat span_blend pairs_mix pairs_add pairs_times span_seen fog_alike line_pixels halve small_gouraud small_knee long_gouraud small_dithered knee_dithered long_dithered setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
+loops=(fx_mul fill span_flat span_blend pairs_mix pairs_add pairs_times span_seen fog_alike line_pixels halve small_gouraud small_knee long_gouraud small_dithered knee_dithered long_dithered small_colours setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -113,6 +113,7 @@ long "a_pair_drawn_where_it_is_hidden_for_armv7m_is_seen" change_is_seen armv7m 
 long "a_row_that_is_not_cut_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/lsrs r3, r3, #1/lsrs r3, r3, #2/' 'long_gouraud long_dithered'
 long "a_step_of_dithered_light_forgotten_for_armv6m_is_seen" change_is_seen armv6m small_dithered 's/LIGHT_DOWN 22/LIGHT_DOWN 25/'
 long "a_knee_forgotten_for_armv7m_is_seen" change_is_seen armv7m small_gouraud 's/movhs r0, #0/movhs r0, r0/' 'small_knee knee_dithered'
+long "a_lower_edge_on_the_wrong_side_of_colours_for_armv6m_is_seen" change_is_seen armv6m small_colours 's/lsls r3, r3, #2/movs r3, #0/'
 long "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/asrs r7, r7, #17/asrs r7, r7, #16/'
 long "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/sub r12, r10, #17/sub r12, r10, #16/'
 long "a_corner_of_another_octave_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/rsb r9, r7, #31/rsb r9, r7, #30/'
@@ -152,6 +153,7 @@ long "a_hidden_pixel_drawn_for_rv32_is_seen" change_is_seen rv32 span_flat 's/bg
 long "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/beqz a0, done/j done/' 'small_gouraud small_knee long_gouraud small_dithered knee_dithered long_dithered'
 long "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/srli s10, a3, 1/srli s10, a3, 2/' 'long_gouraud long_dithered'
 long "a_knee_forgotten_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/add t1, t1, t3/nop/' 'small_knee knee_dithered'
+long "green_of_another_row_for_rv32_is_seen" change_is_seen rv32 small_colours 's/add a0, a0, s11/nop/'
 long "a_sample_counted_twice_for_rv32_is_seen" change_is_seen rv32 halve 's/turn t3, t1/mv t3, t1/'
 long "a_pixel_of_two_colours_for_rv32_is_seen" change_is_seen rv32 halve 's/bne t0, t2, mean_/bne t0, t0, mean_/'
 long "a_texel_beside_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/ori t4, t0, 1$/ori t4, t0, 3/'

@@ -27,6 +27,8 @@ struct ph_colouring {
     /* planes.h: ph_set_colours; and ph_draw_colours. */
     void (*set_colours)(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                         bool flat);
+    /* Ends the preparation of a draw: ph_setup_fast leaves the colours to ph_set_small_colours (colours_small.h). */
+    void (*prepare)(struct ph_setting *s);
     /* setup.h */
     bool (*take_small_depth)(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
                              const struct ph_sides *sides, bool fits);

@@ -50,33 +50,7 @@ static inline void dither_rows(struct ph_small_triangle *small, int32_t y)
     small->light_dy = scaled(small->light_dy) + STEP_Y;
 }
 
-/* Makes a small triangle with this knee (0: none) one in dithered light. */
-static inline void make_dithered(struct ph_triangle *t, const struct ph_antialiasing *calls, uint32_t knee)
-{
-    t->as.small.rows.knee = knee;
-    t->kind = PH_KIND_SMALL_LONG;
-    t->as.small.of.antialiasing = calls;
-}
-
-static const struct ph_shading shading;
-
-/* See struct ph_antialiasing. All but Gouraud triangles in dithered light are set up as without it. */
-static void prepare(struct ph_setting *s)
-{
-    if (s->fast.material->shading != &shading || (s->draw->kind & PH_DRAW_LINES) != 0) {
-        s->antialiasing = NULL;
-        s->keeps_light = s->source == PH_FROM_LIGHT;
-    }
-}
-
-static void set_kind(const struct ph_setting *s, struct ph_triangle *t, bool has_rows) /* called as set_kind */
-{
-    (void)has_rows;
-    dither_rows(&t->as.small.rows, t->y_top);
-    make_dithered(t, s->antialiasing, t->kind == PH_KIND_SMALL_KNEE ? t->as.small.rows.knee : 0);
-}
-
-/* Draws a small triangle in dithered light; see struct ph_antialiasing. */
+/* Draws a small triangle in dithered light. */
 static uint32_t draw_small(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->block == PH_BLOCK_NONE && t->y_top >= band->y0 && t->y_bottom <= band->y1 && t->as.small.rows.knee == 0) {
@@ -90,12 +64,38 @@ static uint32_t draw_small(const struct ph_triangle *t, const struct ph_band *ba
                                      : at.draw_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
 }
 
+/* Makes a small triangle with this knee (0: none) one in dithered light. */
+static inline void make_dithered(struct ph_triangle *t, uint32_t knee)
+{
+    t->as.small.rows.knee = knee;
+    t->kind = PH_KIND_SMALL_OWN;
+    t->as.small.of.own.draw = draw_small;
+}
+
+static const struct ph_shading shading;
+
+/* See struct ph_antialiasing. All but Gouraud triangles in dithered light are set up as without it. */
+static void prepare(struct ph_setting *s)
+{
+    if (s->fast.material->shading != &shading || (s->draw->kind & PH_DRAW_LINES) != 0) {
+        s->antialiasing = NULL;
+        s->keeps_light = s->source == PH_FROM_LIGHT;
+    }
+}
+
+static void set_kind(struct ph_triangle *t, bool has_rows) /* called as set_kind */
+{
+    (void)has_rows;
+    dither_rows(&t->as.small.rows, t->y_top);
+    make_dithered(t, t->kind == PH_KIND_SMALL_KNEE ? t->as.small.rows.knee : 0);
+}
+
 static void take_tall(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                       const struct ph_sides *sides)
 {
     ph_take_tall(t, r, v, sides);
     if (t->kind == PH_KIND_SMALL) {
-        make_dithered(t, r->config.antialiasing, 0);
+        make_dithered(t, 0);
     }
 }
 
@@ -228,14 +228,15 @@ static inline enum ph_fast_draw draw_fast(const struct ph_feed *f, const struct 
         *fragments += ph_draw_whole(t, rows, ph_small_dithered);
         return PH_FAST_DRAWN;
     }
-    make_dithered(t, s->antialiasing, 0);
+    make_dithered(t, 0);
     return t->y_top >= rows->y0 ? PH_FAST_ABOVE : PH_FAST_NOT;
 }
 
 /* Whether a triangle is one in dithered light whose depth is a plane of codes without a knee. */
 static inline bool is_plain(const struct ph_triangle *t)
 {
-    return t->kind == PH_KIND_SMALL_LONG && t->block == PH_BLOCK_NONE && t->as.small.rows.knee == 0;
+    return t->kind == PH_KIND_SMALL_OWN && t->as.small.of.own.draw == draw_small && t->block == PH_BLOCK_NONE &&
+           t->as.small.rows.knee == 0;
 }
 
 /* See bands_loop.h. */
@@ -278,8 +279,7 @@ static void draw_band(struct ph_feed *f, struct ph_band *rows, uint16_t *pixels)
     ph_rows_loop(f, rows, draw_rest);
 }
 
-static const struct ph_antialiasing dithering = {
-    .draw_samples = draw_band, .prepare = prepare, .set_kind = set_kind, .draw_long = draw_small};
+static const struct ph_antialiasing dithering = {.draw_samples = draw_band, .prepare = prepare, .set_kind = set_kind};
 
 int ph_dither(struct ph_renderer *r, struct ph_dither *dither) /* called as set_dither */
 {

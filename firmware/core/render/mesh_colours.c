@@ -1,6 +1,7 @@
 /* Colours of vertices, and coloured light, of meshes. See colours.h. */
 #include "colours.h"
 #include "colour.h"
+#include "colours_small.h"
 #include "mesh.h"
 #include "planes.h"
 #include "setup.h"
@@ -41,19 +42,27 @@ static uint16_t vertex_colour(const struct ph_part_context *c, uint32_t i)
 
 static void take_colours(struct ph_clip_vertex in[3], bool flat)
 {
-    for (int i = 0; i < 3; i++) {
+    for (int i = 2; i >= 0; i--) { /* the first corner last: flat triangles have its colour */
         const int32_t colour = in[flat ? 0 : i].light;
         in[i].uv[0] = (colour >> 5 & 63) << 10 | 1 << 9;
         in[i].uv[1] = (colour & 31) << 11 | 1 << 10;
-        in[i].light = flat && i == 0 ? colour : (colour >> 11) << 11 | 1 << 10;
+        in[i].light = (colour >> 11) << 11 | 1 << 10;
     }
-    in[0].light = (in[0].light >> 11) << 11 | 1 << 10;
 }
 
 static uint16_t colour_of(const struct ph_corner *corner)
 {
     const unsigned green = (unsigned)corner->uv[0], blue = (unsigned)corner->uv[1];
     return (uint16_t)((corner->at.light & 0xf800) | (green >> 10 & 63) << 5 | (blue >> 11 & 31));
+}
+
+static void prepare(struct ph_setting *s)
+{
+    s->fast.ramp = NULL;
+    s->source = PH_FROM_TEXELS;
+    s->set_texels = ph_set_small_colours;
+    s->excess_of = ph_excess_of;
+    s->antialiasing = s->r->samples_log2 != 0 ? s->antialiasing : NULL; /* lit colours are not dithered */
 }
 
 const struct ph_colouring ph_colouring = {.parts = &ph_part_lighting,
@@ -63,5 +72,6 @@ const struct ph_colouring ph_colouring = {.parts = &ph_part_lighting,
                                           .take_colours = take_colours,
                                           .colour_of = colour_of,
                                           .set_colours = ph_set_colours,
+                                          .prepare = prepare,
                                           .take_small_depth = ph_take_small_depth,
                                           .draw_colours = ph_draw_colours};

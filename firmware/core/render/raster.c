@@ -49,8 +49,8 @@ PH_TIER(loop) uint32_t ph_draw_triangle(const struct ph_triangle *t, const struc
     if (t->kind == PH_KIND_SMALL_SPLIT) {
         return band->ways->octaves->draw_split(t, band);
     }
-    if (t->kind == PH_KIND_SMALL_LONG) {
-        return t->as.small.of.antialiasing->draw_long(t, band);
+    if (t->kind == PH_KIND_SMALL_OWN) {
+        return t->as.small.of.own.draw(t, band);
     }
     if (t->kind >= PH_KIND_LINE) {
         return t->as.line.lines->draw_line(t, band);

@@ -9,7 +9,7 @@
 /* Whether what draws a triangle takes the stride for the width of the picture. */
 static inline bool ph_ends_at_stride(const struct ph_triangle *t)
 {
-    return t->block != PH_BLOCK_NONE || t->kind == PH_KIND_GOURAUD || t->kind == PH_KIND_SMALL_LONG;
+    return t->block != PH_BLOCK_NONE || t->kind == PH_KIND_GOURAUD || t->kind == PH_KIND_SMALL_OWN;
 }
 
 /* Column 0 of the row in which a triangle goes on. */

@@ -33,16 +33,14 @@ struct ph_antialiasing {
     void (*draw_samples)(struct ph_feed *f, struct ph_band *rows, uint16_t *pixels);
     /* Ends the preparation of a draw: lets ph_setup_fast take longer sides. */
     void (*prepare)(struct ph_setting *s);
-    /* Makes a small triangle that has long rows one of PH_KIND_SMALL_LONG. has_rows: it exceeds a small one in height,
+    /* Makes a small triangle that has long rows one of PH_KIND_SMALL_OWN. has_rows: it exceeds a small one in height,
      * too. */
-    void (*set_kind)(const struct ph_setting *s, struct ph_triangle *t, bool has_rows);
+    void (*set_kind)(struct ph_triangle *t, bool has_rows);
     /* setup.h */
     enum ph_excess (*excess_of)(const struct ph_setting *s, const struct ph_sides *sides,
                                 const struct ph_vertex *const v[3]);
     /* Sets up a line. */
     void (*setup_sample_line)(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t);
-    /* Draws a triangle of PH_KIND_SMALL_LONG. */
-    uint32_t (*draw_long)(const struct ph_triangle *t, const struct ph_band *band);
 };
 
 #endif

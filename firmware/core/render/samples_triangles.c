@@ -34,22 +34,6 @@ static bool has_long_rows(const struct ph_small_triangle *small)
     return (int32_t)first >= most || (int32_t)last >= most || (small->lower_rows > 0 && (int32_t)below >= most);
 }
 
-/* See struct ph_antialiasing. */
-static void set_kind(const struct ph_setting *s, struct ph_triangle *t, bool has_rows)
-{
-    if (has_rows || (t->kind == PH_KIND_SMALL && has_long_rows(&t->as.small.rows))) {
-        t->kind = PH_KIND_SMALL_LONG;
-        t->as.small.of.antialiasing = s->antialiasing;
-    }
-}
-
-static void setup_sample_line(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
-{
-    struct ph_vertex a = s->fast.base[ref->corner[0]], b = s->fast.base[ref->corner[1]];
-    ph_line_of_samples(&a, &b, ref->corner[2]);
-    s->r->lines->setup_line(s, &a, &b, t);
-}
-
 /* Draws a triangle that is small but for its long rows. */
 static uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *band)
 {
@@ -60,6 +44,22 @@ static uint32_t draw_long(const struct ph_triangle *t, const struct ph_band *ban
         return band->ways->octaves->draw_rows_split(t, &r, &at, NULL);
     }
     return ph_long_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
+}
+
+/* See struct ph_antialiasing. */
+static void set_kind(struct ph_triangle *t, bool has_rows)
+{
+    if (has_rows || (t->kind == PH_KIND_SMALL && has_long_rows(&t->as.small.rows))) {
+        t->kind = PH_KIND_SMALL_OWN;
+        t->as.small.of.own.draw = draw_long;
+    }
+}
+
+static void setup_sample_line(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+{
+    struct ph_vertex a = s->fast.base[ref->corner[0]], b = s->fast.base[ref->corner[1]];
+    ph_line_of_samples(&a, &b, ref->corner[2]);
+    s->r->lines->setup_line(s, &a, &b, t);
 }
 
 PH_TIER(seldom) static void draw_samples(struct ph_feed *f, struct ph_band *rows, uint16_t *pixels)
@@ -81,5 +81,4 @@ const struct ph_antialiasing ph_antialias_2x2 = {.draw_samples = draw_samples,
                                                  .prepare = prepare,
                                                  .set_kind = set_kind,
                                                  .excess_of = ph_excess_of,
-                                                 .setup_sample_line = setup_sample_line,
-                                                 .draw_long = draw_long};
+                                                 .setup_sample_line = setup_sample_line};

@@ -6,14 +6,14 @@
 #include "list.h"
 
 /* What gives pixels their colour: the material's own, the ramp with the light of the first corner, the ramp with a
- * plane of light, or a texture. */
+ * plane of light, or what set_texels sets: a texture, or lit colours of the corners. */
 enum ph_source { PH_FROM_COLOUR, PH_FROM_FIRST_LIGHT, PH_FROM_LIGHT, PH_FROM_TEXELS };
 
 /* What all triangles and lines of a draw share; ph_setting_of in setup.h fills it in. */
 struct ph_setting {
     bool is_small;        /* small triangles are drawn as such */
     bool is_fast;         /* ph_setup_fast knows such triangles */
-    bool has_fast_texels; /* ... and all but u and v of such triangles, which are textured */
+    bool has_fast_texels; /* ... and all of such triangles but what set_texels sets */
     bool has_codes;       /* depth of small triangles and lines is stepped in codes */
     bool keeps_light;     /* a small triangle keeps the light that ph_setup_small has set: else see ph_set_fast_light */
     uint8_t source;       /* enum ph_source */
@@ -21,7 +21,7 @@ struct ph_setting {
     struct ph_fast fast;  /* base: with PH_DRAW_UVS a struct ph_corner; ramp: the material's, or its colour as the only
                                entry; bias: what is added to the codes of the format, in fixed16 to N/w (depth.h) */
     bool (*set_texels)(struct ph_triangle *t, const struct ph_setting *s, const struct ph_vertex *const v[3],
-                       const fx_t *const uv[3]); /* of the shading, see shading.h; PH_FROM_TEXELS only */
+                       const fx_t *const uv[3]); /* see shading.h, colours.h; PH_FROM_TEXELS only */
     enum ph_excess (*excess_of)(const struct ph_setting *s, const struct ph_sides *sides,
                                 const struct ph_vertex *const v[3]); /* setup.h; NULL: one that is not small is large */
     const struct ph_antialiasing *antialiasing;                      /* pixels are samples, or light is dithered */

@@ -209,7 +209,7 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->draw = draw;
     s->fast.base = ph_at(r, draw->base);
     s->has_codes = format->is_small;
-    s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL && s->has_codes;
+    s->is_small = (draw->kind & PH_DRAW_SMALL) != 0 && s->has_codes;
     s->fast.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
     s->source = textured                     ? PH_FROM_TEXELS
                 : !lit                       ? PH_FROM_COLOUR
@@ -221,6 +221,8 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
         s->set_texels = material->shading->texturing.set_texels;
         s->excess_of = material->shading->texturing.excess_of;
         s->v_unit = (uint8_t)ph_texel_v_unit(material->texture);
+    } else if ((draw->kind & PH_DRAW_COLOURS) != 0) {
+        r->config.colouring->prepare(s);
     }
     s->keeps_light = s->source == PH_FROM_LIGHT && s->antialiasing == NULL;
     s->octaves = format->ways->octaves;
@@ -236,8 +238,8 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     }
     const bool fast = s->is_small && r->inner_x > 0 && r->inner_y > 0 &&
                       (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0 && material->depth_bias_slope == 0;
-    s->is_fast = fast && !textured;
-    s->has_fast_texels = fast && textured;
+    s->has_fast_texels = fast && s->source == PH_FROM_TEXELS;
+    s->is_fast = fast && !s->has_fast_texels;
     s->fast.bias = s->octaves != NULL
                        ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
                        : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
@@ -260,7 +262,7 @@ PH_TIER(mesh) void ph_set_fast_light(const struct ph_setting *s, const struct ph
     }
     set_light(s, &s->fast.base[ref->corner[0]], t);
     if (s->antialiasing != NULL) {
-        s->antialiasing->set_kind(s, t, false);
+        s->antialiasing->set_kind(t, false);
     }
 }
 
@@ -321,7 +323,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         }
         set_light(s, v[0], t);
         if (s->antialiasing != NULL) {
-            s->antialiasing->set_kind(s, t, excess == PH_EXCESS_ROWS);
+            s->antialiasing->set_kind(t, excess == PH_EXCESS_ROWS);
         }
     }
 }

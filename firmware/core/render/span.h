@@ -8,6 +8,7 @@
 #ifndef PH_SPAN_H
 #define PH_SPAN_H
 
+#include "colour.h"
 #include "depth.h"
 #include "kernels.h"
 #include "triangle.h"
@@ -37,6 +38,26 @@ static inline void ph_pixel_gouraud(uint16_t *pixel, uint16_t *depth, uint32_t d
         *depth = (uint16_t)code;
         *pixel = ramp[light >> light_down];
     }
+}
+
+#define PH_GREEN_LOG2 11 /* see ph_pixel_colour */
+
+/* A colour in wire order. Each channel has 16 bits: red and blue are the halves of a word, the upper and the lower one,
+ * and green is bits 11 to 26 of another, whose other bits are arbitrary. The upper bits of a channel are shown. */
+static inline uint16_t ph_pixel_colour(uint32_t red_blue, uint32_t green)
+{
+    const uint32_t c = (red_blue & 0xf800f800u) * 33 | (green & 0x07e00000u); /* its upper half */
+    if (ph_wire16(1) == 1) {
+        return (uint16_t)(c >> 16);
+    }
+    const uint32_t wire = c >> 24 | (c >> 8 & 0xff00) | (c & 0xff00) << 8 | c << 24; /* an instruction, on most CPUs */
+    return (uint16_t)wire;
+}
+
+/* Two planes of 16 bits, or what belongs to them, in one of 32. */
+static inline uint32_t ph_red_blue(uint32_t red, uint32_t blue)
+{
+    return (red << 16) + blue;
 }
 
 /* Stores a depth if it is nearer. True if it was. */

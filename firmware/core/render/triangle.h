@@ -4,6 +4,9 @@
 
 #include "render.h"
 
+struct ph_band;
+struct ph_triangle;
+
 /* An edge that is walked from row to row. x is its 16.16 column at its first row; half a pixel is subtracted from it
  * and it is rounded up, so that the first pixel on its right has the column x >> 16. */
 struct ph_edge {
@@ -124,8 +127,8 @@ enum ph_kind {
     PH_KIND_SMALL,
     PH_KIND_SMALL_KNEE,
     PH_KIND_SMALL_SPLIT, /* depth crosses octaves; with PH_KIND_SMALL and PH_KIND_SMALL_KNEE it is a plane of codes */
-    PH_KIND_SMALL_LONG,  /* of samples: its rows are up to twice as long; or in dithered light. Depth may cross octaves
-                          */
+    PH_KIND_SMALL_OWN,   /* what draws it stands in it: samples, whose rows are up to twice as long, dithered light,
+                            colours. Depth may cross octaves */
     PH_KIND_SMALL_TEXTURE,
     PH_KIND_SMALL_TEXTURE_KNEE, /* only if PH_TEXTURE_KNEE */
     PH_KIND_FLAT,
@@ -168,6 +171,20 @@ struct ph_map {
     struct ph_plane shades; /* if it is shaded: see ph_texel_light_of */
 };
 
+/* A triangle whose rows are small ones. */
+struct ph_small {
+    struct ph_small_triangle rows; /* textured: light is that of the texels, and there is no ramp; colours: light is red
+                                      and blue, see ph_pixel_colour */
+    union {
+        struct ph_slopes slopes; /* no ramp, from ph_setup_small to ph_setup_texels or ph_set_small_colours */
+        struct ph_small_map map; /* PH_KIND_SMALL_TEXTURE.. */
+        struct {
+            struct ph_plane green; /* of colours, beside light: at column 0 of the first row */
+            uint32_t (*draw)(const struct ph_triangle *t, const struct ph_band *band); /* the rows in a band */
+        } own;                                                                         /* PH_KIND_SMALL_OWN */
+    } of;
+};
+
 /* A triangle that is not small. */
 struct ph_large {
     uint8_t long_left; /* the long edge is the left one */
@@ -196,14 +213,7 @@ struct ph_triangle {
             const struct ph_draw *draw;
             struct ph_triangle *before;
         } listed; /* until it is set up: the draw of its reference, and the triangle before it in its list */
-        struct {
-            struct ph_small_triangle rows; /* textured: light is that of the texels, and there is no ramp */
-            union {
-                struct ph_slopes slopes;                    /* textured, from ph_setup_small to ph_setup_texels */
-                struct ph_small_map map;                    /* PH_KIND_SMALL_TEXTURE.. */
-                const struct ph_antialiasing *antialiasing; /* PH_KIND_SMALL_LONG */
-            } of;
-        } small;
+        struct ph_small small;
         struct ph_large large;
         struct {
             struct ph_line way;

@@ -199,9 +199,8 @@ static uint32_t depth_bits(void)
     return ((uint32_t)1 << 16) + below((uint32_t)3 << 30);
 }
 
-/* A small triangle, drawn by a kernel. */
-static uint32_t try_small(uint32_t h,
-                          uint32_t (*draw)(const struct ph_small_triangle *, uint16_t *, uint16_t *, uint32_t))
+/* A small triangle on the rows from `at` on, which have room for it. */
+static struct ph_small_triangle any_small(void)
 {
     struct ph_small_triangle r = {.ramp = ramp, .knee = bits()};
     r.d = depth_bits();
@@ -220,8 +219,29 @@ static uint32_t try_small(uint32_t h,
     const uint32_t other = r.upper_rows * (r.lower_is_right ? r.left_dx : r.right_dx);
     r.lower.x = (int32_t)((r.lower_is_right ? r.left + below(20 << 16) : r.right - below(20 << 16)) + other);
     r.lower.dx = (int32_t)(r.lower_is_right ? r.left_dx : r.right_dx);
+    return r;
+}
+
+/* A small triangle, drawn by a kernel. */
+static uint32_t try_small(uint32_t h,
+                          uint32_t (*draw)(const struct ph_small_triangle *, uint16_t *, uint16_t *, uint32_t))
+{
+    const struct ph_small_triangle r = any_small();
     const uint32_t at = below(16), pixels_at = below(16), stride_bytes = 2 * (96 + below(16));
     return word(h, draw(&r, depth + at, pixels + pixels_at, stride_bytes));
+}
+
+/* A small triangle in colours; now and then a single row of many pixels. */
+static uint32_t try_colours(uint32_t h)
+{
+    struct ph_small small = {.rows = any_small(), .of.own.green = {bits(), bits() >> 8, bits() >> 6}};
+    if (below(3) == 0) {
+        small.rows.upper_rows = 1;
+        small.rows.lower_rows = 0;
+        small.rows.right = small.rows.left + below(300 << 16);
+    }
+    const uint32_t at = below(16), pixels_at = below(16), stride_bytes = 2 * (96 + below(16));
+    return word(h, ph_small_colours(&small, depth + at, pixels + pixels_at, stride_bytes));
 }
 
 static uint32_t try_rows(uint32_t h)
@@ -693,6 +713,7 @@ int main(void)
                  {"long_gouraud", try_long},
                  {"small_dithered", try_dithered_rows},
                  {"knee_dithered", try_dithered_knee},
+                 {"small_colours", try_colours},
                  {"long_dithered", try_dithered_long},
                  {"setup_small", try_setup_small},
                  {"float_depths", try_float},
