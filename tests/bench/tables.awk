@@ -124,7 +124,7 @@ function rp2040_table(   s, cores, name) {
     print "S4 has an image of its own, which takes all of the RAM and has the mesh in flash."
 }
 
-function cliffs_table(   i, c, line, name, of) {
+function cliffs_table(   i, c, line, name, of, times) {
     print "\nCliffs: instructions of what is rare against what is usual (and how many times that), as a kit runs"
     line = sprintf("%-18s %-20s", "", "")
     for (c = 1; c <= core_count; c++) { line = line sprintf("  %26s", cores[c]) }
@@ -135,11 +135,11 @@ function cliffs_table(   i, c, line, name, of) {
         line = sprintf("%-18s %-20s", name, "a " of)
         for (c = 1; c <= core_count; c++) {
             if (!((cores[c], name, "cliff") in cost)) { line = line sprintf("  %26s", "-"); continue }
-            line = line sprintf("  %9.1f : %7.1f (%4.1f)", cost[cores[c], name, "cliff"], cost[cores[c], name, "usual"],
-                cost[cores[c], name, "cliff"] / cost[cores[c], name, "usual"])
+            times = cost[cores[c], name, "cliff"] / cost[cores[c], name, "usual"]
+            line = line sprintf("  %9.1f : %7.1f (%4.1f)", cost[cores[c], name, "cliff"], cost[cores[c], name, "usual"], times)
             row(cores[c], name, "cliff", sprintf("%.1f", cost[cores[c], name, "cliff"]), "", "", "")
             if ((cores[c], name, "cliff_times") in must) { # a bar on how many times the usual it is
-                row(cores[c], name, "cliff_times", sprintf("%.2f", cost[cores[c], name, "cliff"] / cost[cores[c], name, "usual"]), must[cores[c], name, "cliff_times"], "", "")
+                row(cores[c], name, "cliff_times", sprintf("%.3f", times), must[cores[c], name, "cliff_times"], aim[cores[c], name, "cliff_times"], "")
             }
         }
         print line
