@@ -86,8 +86,61 @@ static void small_triangles_have_the_planes_of_their_corners(void **state)
     assert_true(worst > .5 && worst < .5 + .25 + 1. / 32);
 }
 
+/* A corner, from the first one in 1/256 px. */
+struct beside {
+    int32_t dx, dy;
+};
+
+/* Whether a triangle takes a step of green from its first corner to the second or to the third one by a plane of that
+ * gradient per pixel; the other corner has the colour of the first one. Slopes are such that the gradient is exact. */
+static bool takes_step(int corner, struct beside at, struct beside other, int32_t gx, int32_t gy)
+{
+    const struct ph_material material = {.shading = PH_SHADE_GOURAUD};
+    const struct ph_setting setting = {.fast.material = &material};
+    const struct ph_vertex first = {.x = 4096, .y = 4096}, same = {.x = 4096 + other.dx, .y = 4096 + other.dy};
+    const struct ph_vertex step = {.x = 4096 + at.dx, .y = 4096 + at.dy, .light = 1 << 5};
+    const struct ph_vertex *const v[3] = {&first, corner == 1 ? &step : &same, corner == 1 ? &same : &step};
+    struct ph_triangle t = {.block = PH_BLOCK_NONE, .y_top = 16};
+    t.as.small.of.slopes = (struct ph_slopes){.a = gx, .b = -gx, .d = gy, .c = -gy, .shift = 18};
+    return ph_set_small_colours(&t, &setting, v, NULL);
+}
+
+/* A step of green is 1024. A corner may be off by a quarter of it. */
+static void a_quarter_of_a_step_is_the_most_at_a_corner(void **state)
+{
+    (void)state;
+    const struct beside right = {256, 0}, below = {0, 256}, above = {0, -256}, none = {0, 0};
+    for (int corner = 1; corner <= 2; corner++) {
+        assert_true(takes_step(corner, right, none, 1024 + 255, 0));
+        assert_false(takes_step(corner, right, none, 1024 + 256, 0));
+        assert_true(takes_step(corner, right, none, 1024 - 256, 0));
+        assert_false(takes_step(corner, right, none, 1024 - 257, 0));
+        assert_true(takes_step(corner, below, none, 0, 1024 + 255));
+        assert_false(takes_step(corner, below, none, 0, 1024 + 256));
+        assert_true(takes_step(corner, right, above, 1024 + 255, 256));
+        assert_false(takes_step(corner, right, above, 1024 + 256, 256));
+    }
+}
+
+/* A pixel may take half of a channel, which has 16 bits; here a corner lies 1/32 px beside the first one. */
+static void half_of_a_channel_is_the_most_at_a_pixel(void **state)
+{
+    (void)state;
+    const struct beside right = {8, 0}, left = {-8, 0}, below = {0, 8}, none = {0, 0};
+    for (int corner = 1; corner <= 2; corner++) {
+        assert_true(takes_step(corner, right, none, 32767, -32768));
+        assert_false(takes_step(corner, right, none, 32768, -32768));
+        assert_true(takes_step(corner, left, none, -32768, 0));
+        assert_false(takes_step(corner, left, none, -32769, 0));
+        assert_true(takes_step(corner, below, none, -32768, 32767));
+        assert_false(takes_step(corner, below, none, -32768, 32768));
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(small_triangles_have_the_planes_of_their_corners)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(small_triangles_have_the_planes_of_their_corners),
+                                       cmocka_unit_test(a_quarter_of_a_step_is_the_most_at_a_corner),
+                                       cmocka_unit_test(half_of_a_channel_is_the_most_at_a_pixel)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
