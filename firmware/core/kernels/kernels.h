@@ -125,8 +125,8 @@ ph_gouraud_kernel ph_small_knee;
  * draw, but along a ramp of PH_DITHER_STEPS * PH_RAMP_SIZE colours (ph_dither). */
 ph_gouraud_kernel ph_small_dithered, ph_long_dithered, ph_knee_dithered;
 
-/* small_colours.c: draws a small triangle as ph_small_gouraud does, in colours whose planes are light (red and blue) and
- * of.own.green; see ph_pixel_colour. Its rows may have any number of pixels. */
+/* small_colours.c: draws a small triangle as ph_small_gouraud does, in colours whose planes are light (red and blue)
+ * and of.own.green; see ph_pixel_colour. Its rows may have any number of pixels. */
 uint32_t ph_small_colours(const struct ph_small *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);
 
 /* The entry of the ramp is light >> this: the top 7 bits of light, or 10 of a ramp that is dithered. */
