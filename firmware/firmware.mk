@@ -111,7 +111,7 @@ BOARD_SYMBOL := board_$(subst -,_,$(BOARD))
 # FORCE, because BOARD and BOARD_DIR may be others than last time.
 $(B)/board-facts: FORCE
 	@mkdir -p $(@D)
-	$(Q)$(HOSTCC) $(INC) $(PANELS_DEF) -DBOARD_HERE=$(BOARD_SYMBOL) -o $@ firmware/tools/board_facts.c '$(BOARD_HOME)/board.c' $(wildcard hal/panel/panels_*.c) $(PANELS_MORE:%='$(PANEL_DIR)/%.c')
+	$(Q)$(HOSTCC) $(INC) $(PANELS_DEF) -DBOARD_HERE=$(BOARD_SYMBOL) -o $@ firmware/tools/board_facts.c '$(BOARD_HOME)/board.c' $(wildcard hal/panel/*.c) $(PANELS_MORE:%='$(PANEL_DIR)/%.c')
 $(B)/board-facts: INC = -Ihal -Iboards
 
 # A make of its own builds the image, with the target's compiler in place of the computer's.

@@ -43,7 +43,7 @@ enum hal_status {
 
 struct board;
 
-/* The D/C line: low for a command, high for data. */
+/* The D/C line: low for a command, high for data; while the bus rests it stays as it is. A memory LCD has SCS there. */
 enum hal_dc { HAL_COMMAND, HAL_DATA };
 /* Pins that pin_set() drives. */
 enum hal_pin { HAL_PIN_RESET, HAL_PIN_BACKLIGHT };

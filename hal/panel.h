@@ -16,7 +16,8 @@
  *   RGB666   3 bytes a pixel    RRRRRR00 GGGGGG00 BBBBBB00   5 bits r become 6 as (r << 1) | (r >> 4)
  *   RGB444   3 bytes 2 pixels   RRRRGGGG BBBBrrrr ggggbbbb   the highest 4 bits; a pair may lie in two lines
  *   GREY4    1 byte 2 pixels    the left pixel is in the high bits; each line starts a byte. See panel_grey4().
- *   MONO_..  1 byte 8 pixels    one above the other on the glass, the highest in bit 0. See panel_mono().
+ *   MONO_..  1 byte 8 pixels    one above the other on the glass, the highest in bit 0; a memory LCD: side by side, the
+ *                               left one in bit 7. See panel_mono().
  *
  * Rotation is the number of degrees (0, 90, 180, 270) by which the picture is turned clockwise on the glass, against
  * the controller's own upright. With 90 the top of the picture lies along the right edge of the glass, and the user
@@ -44,6 +45,23 @@ enum panel_rotation { PANEL_R0, PANEL_R90, PANEL_R180, PANEL_R270 }; /* degrees 
 
 #define PANEL_FORMAT_BIT(format) (1U << (format)) /* for `formats` of struct panel */
 
+struct panel_driver;
+
+/* What the driver calls where a panel is a memory LCD: see panel/panel_line.h. Status: 0, or an error. */
+struct panel_line_ops {
+    /* Divides the scratch memory. HAL_EINVAL: it is too small. */
+    int (*line_init)(struct panel_driver *d);
+
+    /* Makes all pixels white. */
+    int (*line_clear)(struct panel_driver *d);
+
+    /* Converts line d->row of the window, whose first pixel is *pixels. What is complete is sent. */
+    int (*line_pack)(struct panel_driver *d, const uint8_t *pixels);
+
+    /* Ends the message, or sends one that only toggles VCOM; then the bus is idle. */
+    int (*line_end)(struct panel_driver *d);
+};
+
 /* A controller's command set, with the names and numbers of its datasheet. */
 struct panel_controller {
     const char *name;       /* as printed on the datasheet: "ST7789" */
@@ -69,6 +87,9 @@ struct panel_controller {
      * set_scan | MY mirror columns and rows; the bits are rotation_bit_mx and rotation_bit_my.
      */
     uint8_t set_page, set_scan;
+
+    /* Not NULL, &panel_line_ops: a memory LCD. It has neither commands nor windows, but messages; see panel_line.h. */
+    const struct panel_line_ops *lines;
 
     bool window_turns; /* the window's axes turn with the picture (MADCTL MV); else they stay those of the glass */
 
@@ -124,6 +145,9 @@ struct panel_place {
  */
 struct panel_place panel_place(const struct panel *panel, unsigned rotation);
 
+/* Whether the picture can be turned so. A memory LCD takes whole lines of its glass: by 0 and 180 degrees only. */
+bool panel_can_turn(const struct panel *panel, unsigned rotation);
+
 /* Size of the picture. */
 uint16_t panel_width(const struct panel *panel, unsigned rotation);
 uint16_t panel_height(const struct panel *panel, unsigned rotation);
@@ -151,7 +175,7 @@ uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y);
  */
 bool panel_mono(unsigned format, uint8_t high, uint8_t low, uint32_t x, uint32_t y);
 
-#define PANEL_SCRATCH_MIN 256 /* bytes; more makes fewer, longer writes. One bit: also 2 * the picture's width */
+#define PANEL_SCRATCH_MIN 256 /* bytes; more makes fewer, longer writes. Pages: also 2 * the picture's width */
 
 /* What panel_open() is told. */
 struct panel_config {
@@ -185,12 +209,15 @@ struct panel_driver {
     uint32_t filled;     /* bytes in it */
     uint8_t carry;       /* 4 bits that wait for the other half of their byte */
     bool carry_full;
+    bool in_message; /* memory LCD: a message has begun and has no end yet */
+    uint8_t vcom;    /* ... the polarity that the last message told */
 };
 
 /*
  * Wakes the panel of an open kit: hardware reset, initialisation at the controller's slow clock, then config->clock_hz.
  * The display stays dark until the first frame is complete.
- * Errors: HAL_EINVAL (the panel lacks the format, scratch is missing or too small, no clock), or the backend's.
+ * Errors: HAL_EINVAL (the panel lacks the format or the turn, scratch is missing or too small, no clock), or the
+ * backend's.
  */
 int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel_config *config);
 
@@ -213,8 +240,9 @@ void panel_windows_begin(struct panel_driver *d);
 /*
  * Opens a window in the picture, given in its pixels; the lines that follow belong to the window. Borders that the
  * controller still has from the last window are not sent again.
- * Pixels that share a byte (GREY4: columns 2n and 2n + 1 of the glass; one bit: the rows of a page) must all be inside
- * or all be outside. Errors: HAL_EINVAL outside of the picture, empty, or in the middle of a byte; or the backend's.
+ * Pixels that share a byte (GREY4: columns 2n and 2n + 1 of the glass; one bit: the rows of a page, and all of a memory
+ * LCD's line) must all be inside or all be outside. Errors: HAL_EINVAL outside of the picture, empty, or in the middle
+ * of a byte; or the backend's.
  */
 int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width, uint32_t height);
 
@@ -224,14 +252,22 @@ int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width,
  */
 int panel_window_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t stride, uint32_t lines);
 
-#define PANEL_PAGE_BYTES 3 /* of the commands that address a page */
+#define PANEL_PAGE_BYTES    3 /* of the commands that address a page */
+#define PANEL_LINE_BYTES    2 /* memory LCD: of a line's address and trailer */
+#define PANEL_MESSAGE_BYTES 3 /* ... of a message's mode, of the trailer at its end, and of the byte behind it */
 
 /* Bytes of a border (command and parameters); bytes of the memory write command, 0 if there is none. */
 uint32_t panel_border_bytes(const struct panel_controller *c);
 uint32_t panel_start_bytes(const struct panel_controller *c);
 
-/* Waits until the bus is idle; then every buffer belongs to the caller again. */
+/* Waits until the bus is idle; then every buffer belongs to the caller again. A memory LCD's message ends with it. */
 int panel_wait(struct panel_driver *d);
+
+/*
+ * Keeps a picture that stands still. Who sends no frame for a second calls it twice a second: a memory LCD whose VCOM
+ * is not toggled that often is spoilt. Other panels need nothing.
+ */
+int panel_hold(struct panel_driver *d);
 
 /* Ends the frame. HAL_EINVAL: lines are missing, and the display is not turned on. */
 int panel_frame_end(struct panel_driver *d);

@@ -18,7 +18,7 @@ extern const struct panel_controller panel_st7789; /* for panels that a caller m
     P(ili9341_240x320) P(ili9488_320x480) P(st7796s_320x480) P(hx8357d_320x480) P(ili9486_320x480) \
     P(st7735s_128x128) P(st7735s_128x160) P(st7735s_80x160) \
     P(ssd1351_128x128) P(ssd0323_128x64) P(ssd1306_128x64) P(ssd1306_128x32) P(ssd1306_72x40) P(ssd1309_128x64) \
-    P(sh1106_128x64) P(sh1107_64x128) P(sh1107_128x128) PANELS_MORE(P)
+    P(sh1106_128x64) P(sh1107_64x128) P(sh1107_128x128) P(ls013b7dh03_128x128) P(ls027b7dh01_400x240) PANELS_MORE(P)
 /* clang-format on */
 
 /* Declares each of them. */

@@ -80,13 +80,16 @@ static int hardware_reset(const struct panel_driver *d)
     return status;
 }
 
-static int initialise(const struct panel_driver *d)
+static int initialise(struct panel_driver *d)
 {
     const struct panel *panel = d->config.panel;
     const struct panel_controller *c = panel->controller;
     int status = send_sequence(d, panel->init, panel->init_bytes);
     if (status < 0) {
         return status;
+    }
+    if (c->lines != NULL) {
+        return c->lines->line_clear(d);
     }
     struct panel_place place = panel_place(panel, d->config.rotation);
     if (c->set_page != 0) {
@@ -104,7 +107,7 @@ static int initialise(const struct panel_driver *d)
 static int check(const struct panel_config *config)
 {
     const struct panel *panel = config->panel;
-    if (config->rotation > PANEL_R270 || config->format >= PANEL_FORMATS || config->clock_hz == 0 ||
+    if (!panel_can_turn(panel, config->rotation) || config->format >= PANEL_FORMATS || config->clock_hz == 0 ||
         (panel->formats & PANEL_FORMAT_BIT(config->format)) == 0) {
         return HAL_EINVAL;
     }
@@ -127,7 +130,7 @@ int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel
     d->commands[SET_ROW][1] = config->panel->controller->set_row;
     d->commands[MEMORY_WRITE][1] = config->panel->controller->memory_write;
     status = panel_pack_init(d);
-    status = status < 0 ? status : set_clock(d, config->panel->controller->init_hz);
+    status = status < 0 ? status : panel_clock(d, config->panel->controller->init_hz);
     status = status < 0 ? status : hardware_reset(d);
     status = status < 0 ? status : initialise(d);
     return status < 0 ? status : panel_clock(d, config->clock_hz);
@@ -181,8 +184,8 @@ static int send_border(struct panel_driver *d, uint32_t command, uint32_t first,
 static int open_window(struct panel_driver *d, uint32_t x, uint32_t y, bool again)
 {
     const struct panel_controller *c = d->config.panel->controller;
-    if (c->set_page != 0) {
-        return HAL_OK; /* each piece of a page is addressed by itself */
+    if (c->set_page != 0 || c->lines != NULL) {
+        return HAL_OK; /* each piece of a page, and each line, is addressed by itself */
     }
     struct panel_place place = panel_place(d->config.panel, d->config.rotation);
     bool swap = !c->window_turns && (d->config.rotation & 1) != 0; /* the picture's lines are columns of the glass */
@@ -209,8 +212,9 @@ static int window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width
 
 int panel_frame_begin(struct panel_driver *d)
 {
+    const int status = d->in_message ? panel_wait(d) : HAL_OK;
     d->frame_bytes = 0;
-    return window(d, 0, 0, d->width, d->height, true);
+    return status < 0 ? status : window(d, 0, 0, d->width, d->height, true);
 }
 
 void panel_windows_begin(struct panel_driver *d)
@@ -247,7 +251,7 @@ int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width,
 
 uint32_t panel_border_bytes(const struct panel_controller *c)
 {
-    return (1 + 2U * c->address_bytes) << c->words;
+    return c->lines != NULL ? 0 : (1 + 2U * c->address_bytes) << c->words;
 }
 
 uint32_t panel_start_bytes(const struct panel_controller *c)
@@ -315,7 +319,13 @@ int panel_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t lines)
 
 int panel_wait(struct panel_driver *d)
 {
-    return d->hal.ops->bus_wait(d->hal.context);
+    const struct panel_line_ops *lines = d->config.panel->controller->lines;
+    return lines != NULL ? lines->line_end(d) : d->hal.ops->bus_wait(d->hal.context);
+}
+
+int panel_hold(struct panel_driver *d)
+{
+    return d->config.panel->controller->lines != NULL ? panel_wait(d) : HAL_OK;
 }
 
 int panel_frame_end(struct panel_driver *d)
@@ -339,6 +349,6 @@ int panel_close(struct panel_driver *d)
     d->in_frame = false;
     d->lit = false;
     int dark = set_pin(d, HAL_PIN_BACKLIGHT, false), waited = panel_wait(d);
-    int status = send_sequence(d, c->off, c->off_bytes);
+    int status = c->lines != NULL ? c->lines->line_clear(d) : send_sequence(d, c->off, c->off_bytes);
     return dark < 0 ? dark : waited < 0 ? waited : status;
 }

@@ -90,6 +90,12 @@ static void set_costs(struct panel_diff *diff, const struct panel_driver *d)
         return;
     }
     diff->slab = SLAB_LINES;
+    if (c->lines != NULL) { /* a unit is a line, and comes with its address */
+        diff->step = 1;
+        diff->unit_cost = 2 * (diff->width / 8U + PANEL_LINE_BYTES);
+        diff->open_cost = diff->beside_cost = 1 + write; /* lines beside each other are one window */
+        return;
+    }
     diff->step = write > 0 ? COARSE_LINES : 1;
     const uint32_t border = 2 * panel_border_bytes(c) + 2 * write, start = (2 + write) * panel_start_bytes(c);
     diff->open_cost = 2 * border + start + write;
@@ -479,6 +485,7 @@ int panel_diff_begin(struct panel_diff *diff, struct panel_driver *d)
         diff->bytes = panel_frame_bytes(d->config.panel, d->config.format, d->config.rotation);
         diff->status = panel_frame_begin(d);
     } else {
+        diff->bytes = d->config.panel->controller->lines != NULL ? PANEL_MESSAGE_BYTES : 0;
         panel_windows_begin(d);
     }
     return diff->status;

@@ -33,6 +33,9 @@ int panel_pack_init(struct panel_driver *d)
     if (config->panel->controller->set_page != 0) {
         return panel_page_init(d);
     }
+    if (config->panel->controller->lines != NULL) {
+        return config->panel->controller->lines->line_init(d);
+    }
     if (config->format == PANEL_GREY4) {
         d->share_y = config->panel->controller->column_pixels == 2 && (config->rotation & 1) != 0;
         d->share_x = !d->share_y;
@@ -57,7 +60,7 @@ static uint8_t *upper_line(const struct panel_driver *d)
     return d->config.scratch + d->config.scratch_bytes - d->width;
 }
 
-static int flush(struct panel_driver *d)
+int panel_pack_flush(struct panel_driver *d)
 {
     if (d->filled == 0) {
         return HAL_OK;
@@ -139,7 +142,7 @@ static void pack(struct panel_driver *d, const uint8_t *in, uint32_t x, uint32_t
 
 static int put_byte(struct panel_driver *d, uint8_t byte)
 {
-    const int status = d->filled == d->half_bytes ? flush(d) : HAL_OK;
+    const int status = d->filled == d->half_bytes ? panel_pack_flush(d) : HAL_OK;
     d->config.scratch[d->half * d->half_bytes + d->filled++] = byte;
     return status;
 }
@@ -161,6 +164,9 @@ int panel_pack_line(struct panel_driver *d, const uint8_t *pixels)
     if (d->config.panel->controller->set_page != 0) {
         return panel_page_line(d, pixels);
     }
+    if (d->config.panel->controller->lines != NULL) {
+        return d->config.panel->controller->lines->line_pack(d, pixels);
+    }
     if (d->config.format == PANEL_GREY4 && d->share_y == 0 && d->lead != 0 && d->x == 0) {
         d->carry = 0;
         d->carry_full = true;
@@ -168,7 +174,7 @@ int panel_pack_line(struct panel_driver *d, const uint8_t *pixels)
     while (x < d->span) {
         uint32_t fit = (d->half_bytes - d->filled) / PIXEL_BYTES_MAX;
         if (fit == 0) {
-            int status = flush(d);
+            int status = panel_pack_flush(d);
             if (status < 0) {
                 return status;
             }
@@ -196,5 +202,5 @@ int panel_pack_end(struct panel_driver *d)
     int status = d->config.format == PANEL_GREY4 && d->share_y != 0 && ((d->bottom + d->lead) & 1U) != 0
                      ? pack_last_line(d)
                      : pack_rest(d);
-    return status < 0 ? status : flush(d);
+    return status < 0 ? status : panel_pack_flush(d);
 }

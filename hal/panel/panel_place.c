@@ -45,6 +45,11 @@ struct panel_place panel_place(const struct panel *panel, unsigned rotation)
     return (struct panel_place){swap ? cy : cx, swap ? cx : cy, (uint8_t)byte};
 }
 
+bool panel_can_turn(const struct panel *panel, unsigned rotation)
+{
+    return rotation <= PANEL_R270 && (panel->controller->lines == NULL || !turns_mv(rotation));
+}
+
 uint16_t panel_width(const struct panel *panel, unsigned rotation)
 {
     return turns_mv(rotation) ? panel->height : panel->width;
@@ -67,7 +72,11 @@ static uint32_t pixel_bytes(const struct panel *panel, unsigned format, unsigned
         return (panel_place(panel, rotation).column % panel->controller->column_pixels + panel->width + 1U) / 2 *
                panel->height;
     case PANEL_MONO_DITHER:
-    case PANEL_MONO_THRESHOLD: /* turned by 90 or 270, a piece of a page has 8 bytes */
+    case PANEL_MONO_THRESHOLD:
+        if (panel->controller->lines != NULL) {
+            return PANEL_MESSAGE_BYTES + (width / 8 + PANEL_LINE_BYTES) * height;
+        }
+        /* turned by 90 or 270, a piece of a page has 8 bytes */
         return width * height / 8 + PANEL_PAGE_BYTES * (turns_mv(rotation) ? width / 8 * (height / 8) : height / 8);
     default:
         return 2 * width * height;

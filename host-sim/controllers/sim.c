@@ -222,6 +222,9 @@ static void sim_delay_us(void *context, uint32_t us)
     if (sim->fault != SIM_FAULT_DELAY) {
         sim->time_ns += 1000ULL * us;
     }
+    if (sim->glass.model->rest != NULL) {
+        sim->glass.model->rest(sim);
+    }
 }
 
 static uint32_t sim_buttons(void *context)
@@ -284,6 +287,10 @@ struct sim *sim_open(const struct board *board, struct hal *hal)
     sim->reset_ready_ns = glass->model->reset_wait_ns;
     fill_with_noise(sim);
     glass->model->reset(sim);
+    if (glass->model->mode_0 && board->spi_mode != 0) {
+        sim_complain(sim, SIM_WRONG_MODE, "SPI mode %u: the clock must be low when SCS rises, as in mode 0",
+                     board->spi_mode);
+    }
     *hal = (struct hal){&sim_ops, sim};
     if (sim_ops.open(sim, board) < 0) {
         sim_close(sim);

@@ -9,8 +9,8 @@
  *   sim_close(sim);
  *
  * The models decode the bytes as the datasheets say and know nothing of the driver's tables: of the board only the
- * panel's name is read (and for sim_virtual() boards its geometry). They live in sim_dbi.c, sim_ssd.c and sim_page.c;
- * what may be sent to them stands in sim_table.h.
+ * panel's name is read (and for sim_virtual() boards its geometry). They live in sim_dbi.c, sim_ssd.c, sim_page.c
+ * and sim_line.c; what may be sent to the first three stands in sim_table.h.
  *
  * Time stands still but for bits and pauses on the wire, and delay_us. The bus has the clock and the pauses of the
  * board's chip (spi_clock.h).

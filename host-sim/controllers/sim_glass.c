@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* Columns: panel, controller, glass, memory, first column and row; mirrored, bgr, complement, round, backlit; in order.
- */
+ * The pin DISP of a memory LCD counts as a backlight: while it is low nothing is seen. */
 static const struct sim_glass glasses[] = {
     {"st7789-240x240", &sim_model_st7789, 240, 240, 240, 320, 0, 0, false, false, true, false, true, false},
     {"st7789-135x240", &sim_model_st7789, 135, 240, 240, 320, 52, 40, false, false, true, false, true, false},
@@ -36,6 +36,8 @@ static const struct sim_glass glasses[] = {
     {"sh1106-128x64", &sim_model_sh1106, 128, 64, 132, 64, 2, 0, true, false, false, false, false, false},
     {"sh1107-64x128", &sim_model_sh1107, 64, 128, 128, 128, 32, 0, false, false, false, false, false, false},
     {"sh1107-128x128", &sim_model_sh1107, 128, 128, 128, 128, 0, 0, false, false, false, false, false, false},
+    {"ls013b7dh03-128x128", &sim_model_ls013b7dh03, 128, 128, 128, 128, 0, 0, false, false, false, false, true, false},
+    {"ls027b7dh01-400x240", &sim_model_ls027b7dh01, 400, 240, 400, 240, 0, 0, false, false, false, false, true, false},
 #ifdef GLASSES_MORE
 #include "glasses_more.inc" /* those of make's PANEL_DIR */
 #endif

@@ -17,10 +17,14 @@ struct sim_model {
     bool pages;                     /* a frame consists of several memory writes, with commands between them */
     uint32_t write_hz;              /* datasheet's limit */
     uint32_t i2c_hz;                /* ... on an I2C bus; 0: it has none */
+    bool mode_0;                    /* it takes SPI mode 0 alone; others take 0 and 3 */
+    uint32_t select_lead_ns;        /* memory LCD: tsSCS, from the rise of SCS to the clock's first edge */
+    uint32_t select_lag_ns;         /* ... thSCS, from the clock's last edge to the fall of SCS */
     uint32_t reset_pulse_ns;        /* shortest */
     uint32_t reset_wait_ns;         /* from its end to the first byte */
     void (*reset)(struct sim *sim); /* registers as after power-on */
     void (*byte)(struct sim *sim, enum hal_dc dc, uint8_t byte);
+    void (*rest)(struct sim *sim); /* is told that time has passed without a byte; NULL: that makes no difference */
     bool (*shows)(const struct sim *sim);                                        /* is anything to be seen? */
     void (*look)(const struct sim *sim, uint32_t x, uint32_t y, uint8_t rgb[3]); /* glass, upright */
     bool (*written)(const struct sim *sim, uint32_t x, uint32_t y);              /* since the last reset? */
@@ -28,7 +32,8 @@ struct sim_model {
 
 extern const struct sim_model sim_model_st7789, sim_model_gc9a01, sim_model_ili9341, sim_model_ili9488,
     sim_model_st7796, sim_model_hx8357d, sim_model_ili9486, sim_model_st7735s, sim_model_ssd1351, sim_model_ssd0323,
-    sim_model_ssd1306, sim_model_ssd1309, sim_model_sh1106, sim_model_sh1107;
+    sim_model_ssd1306, sim_model_ssd1309, sim_model_sh1106, sim_model_sh1107, sim_model_ls013b7dh03,
+    sim_model_ls027b7dh01;
 
 /* A glass: how it is bonded to its controller and which way its colours are. */
 struct sim_glass {
@@ -113,6 +118,23 @@ struct sim_page {
     uint8_t page, column; /* of the next byte */
 };
 
+#define SIM_LINE_BYTES_MAX 50 /* of a line's pixels */
+
+/* The state of a memory LCD. */
+struct sim_line {
+    bool listening; /* SCS is high */
+    bool refused;   /* the rest of the message has no effect */
+    bool ended;     /* both bytes behind the last line have come */
+    bool vcom;      /* the polarity that the last message told */
+    bool still;     /* it was complained of */
+    uint8_t mode;
+    uint8_t line;                       /* being received, or waiting for its trailer; 0: none */
+    uint32_t taken;                     /* bytes of the line: address, pixels, trailer */
+    uint8_t pixels[SIM_LINE_BYTES_MAX]; /* the latch */
+    uint64_t toggled_ns;
+    uint64_t last_ns; /* end of the message's last byte */
+};
+
 enum sim_i2c_byte { SIM_I2C_ADDRESS, SIM_I2C_CONTROL, SIM_I2C_BYTE, SIM_I2C_STOP };
 
 /* A message on an I2C bus. */
@@ -130,6 +152,7 @@ struct sim {
         struct sim_dbi dbi;
         struct sim_ssd ssd;
         struct sim_page page;
+        struct sim_line line;
     } u;
 
     uint64_t time_ns;

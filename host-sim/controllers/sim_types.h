@@ -28,6 +28,10 @@ enum sim_complaint_kind {
     SIM_OVER_CLOCK,        /* clock above the datasheet's write limit (a note only, if board->over_limit) */
     SIM_ON_WITHOUT_FRAME,  /* display on before a complete frame was written */
     SIM_LIT_WITHOUT_FRAME, /* backlight on before a complete frame was written */
+    SIM_WRONG_MODE,        /* the controller does not take this SPI mode */
+    SIM_SELECT_TIME,       /* SCS rose too late before the clock's first edge, or fell too early after its last */
+    SIM_CUT_MESSAGE,       /* SCS fell before a message's end */
+    SIM_VCOM_STILL,        /* VCOM was not toggled for more than a second */
     SIM_COMPLAINT_KINDS
 };
 

@@ -320,6 +320,9 @@ static void time_passes(struct wire *w, uint64_t until_ns)
     }
     w->sim->time_ns += gap;
     w->last_ns = until_ns;
+    if (w->sim->glass.model->rest != NULL) {
+        w->sim->glass.model->rest(w->sim);
+    }
 }
 
 static void check_transfer(struct wire *w, const struct wire_event *event)
@@ -332,8 +335,10 @@ static void check_transfer(struct wire *w, const struct wire_event *event)
         }
     }
     const bool cpha = event->mode & WIRE_CPHA, cpol = event->mode & WIRE_CPOL;
-    if (cpha != cpol || (event->mode & ~(uint32_t)(WIRE_CPHA | WIRE_CPOL | WIRE_NO_CS)) != 0) {
-        reject_at(w, "SPI mode %Xh: panels want 0 or 3, highest bit first", (unsigned)event->mode);
+    const bool mode_0 = w->sim->glass.model->mode_0;
+    if (cpha != cpol || (mode_0 && cpha) || (event->mode & ~(uint32_t)(WIRE_CPHA | WIRE_CPOL | WIRE_NO_CS)) != 0) {
+        reject_at(w, "SPI mode %Xh: %s, highest bit first", (unsigned)event->mode,
+                  mode_0 ? "the panel wants 0" : "panels want 0 or 3");
     }
     if (event->word_bits != 8) {
         reject_at(w, "%u bits a word instead of 8", (unsigned)event->word_bits);

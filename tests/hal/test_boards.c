@@ -7,6 +7,7 @@
 
 #include "boards.h"
 #include "boards_all.h"
+#include "chips/spi_clock.h"
 #include "panel_picture.h"
 
 #include <stdio.h>
@@ -153,7 +154,8 @@ static void buttons_differ(void **state)
 /*
  * The time of a frame, us. In mode 0 a PL022 pauses for 1.5 clocks after each word. On an RP2040 a word of the picture
  * has 16 bits; commands and the LM3S6965's words have 8. On an I2C bus a byte has 9 clocks, and a message two more
- * bytes, a start and a stop; each page has two messages.
+ * bytes, a start and a stop; each page has two messages. A memory LCD's mode has a clock of its own; two more bytes, of
+ * its message's end, are short writes.
  */
 static double frame_us(const struct board *b, uint32_t hz)
 {
@@ -163,6 +165,11 @@ static double frame_us(const struct board *b, uint32_t hz)
                          : b->spi_unit == BOARD_SPI_RP2      ? bytes - pixels
                          : b->spi_unit == BOARD_SPI_LM3S6965 ? bytes
                                                              : 0;
+    if (b->panel->controller->lines != NULL) {
+        const bool rests = b->spi_unit == BOARD_SPI_RP2;
+        const double mode_us = (rests ? 9.5e6 : 8e6) / spi_clock_of(b, b->panel->controller->init_hz);
+        return mode_us + (8 * (bytes - 1) + (rests ? 1.5 * ((bytes - 3) / 2 + 2) : 0)) * 1e6 / hz;
+    }
     if (b->i2c_address != 0) {
         const double messages = 2 * panel_height(b->panel, b->rotation) / 8.0;
         return (9 * (bytes + 2 * messages) + 2 * messages) * 1e6 / hz;

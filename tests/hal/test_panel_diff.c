@@ -155,7 +155,7 @@ static void show_sequence(const struct panel *panel, unsigned rotation, unsigned
         }
         assert_int_equal(rig.d.frame_bytes, rig.diff.bytes);
         if (step == 3) {
-            assert_int_equal(bytes, 0);
+            assert_int_equal(bytes, panel->controller->lines != NULL ? 3 : 0); /* a memory LCD's VCOM is toggled */
         }
     }
     rig_close(&rig, what);
@@ -167,7 +167,7 @@ static void every_panel_shows_the_exact_picture_in_every_rotation_and_format(voi
     for (uint32_t i = 0; i < panel_count; i++) {
         for (unsigned rotation = 0; rotation < 4; rotation++) {
             for (unsigned format = PANEL_RGB565; format < PANEL_FORMATS; format++) {
-                if (panel_list[i]->formats & PANEL_FORMAT_BIT(format)) {
+                if (panel_can_turn(panel_list[i], rotation) && panel_list[i]->formats & PANEL_FORMAT_BIT(format)) {
                     show_sequence(panel_list[i], rotation, format, 60, PLAIN);
                 }
             }
@@ -181,7 +181,9 @@ static void the_picture_is_exact_where_writes_cost_time(void **state)
     for (uint32_t i = 0; i < panel_count; i++) {
         const unsigned format = (unsigned)__builtin_ctz(panel_list[i]->formats);
         for (unsigned rotation = 0; rotation < 4; rotation++) {
-            show_sequence(panel_list[i], rotation, format, 60, SLOW);
+            if (panel_can_turn(panel_list[i], rotation)) {
+                show_sequence(panel_list[i], rotation, format, 60, SLOW);
+            }
         }
     }
 }
@@ -198,6 +200,7 @@ static void any_number_of_lines_at_a_time_will_do(void **state)
         }
         show_sequence(&panel_st7789_135x240, PANEL_R90, PANEL_RGB565, lines[i], PLAIN);
         show_sequence(&panel_st7735s_80x160, PANEL_R0, PANEL_RGB444, lines[i], PLAIN);
+        show_sequence(&panel_ls013b7dh03_128x128, PANEL_R180, PANEL_MONO_DITHER, lines[i], PLAIN);
     }
 }
 
@@ -254,6 +257,7 @@ static void no_buffer_is_touched_before_it_is_sent(void **state)
         show_sequence(&panel_ssd0323_128x64, rotation, PANEL_GREY4, 5, SPIED);
         show_sequence(&panel_ssd1306_128x64, rotation, PANEL_MONO_DITHER, 5, SPIED);
     }
+    show_sequence(&panel_ls027b7dh01_400x240, PANEL_R0, PANEL_MONO_DITHER, 20, SPIED);
 }
 
 static void a_frame_in_which_all_changes_costs_at_most_one_percent_more(void **state)

@@ -274,6 +274,9 @@ static void every_board_shows_its_pictures_again_however_transfers_are_split(voi
     for (uint32_t i = 0; i < board_count; i++) {
         const struct board board = wired(board_list[i]);
         for (unsigned rotation = 0; rotation < 4; rotation++) {
+            if (!panel_can_turn(board.panel, rotation)) {
+                continue;
+            }
             struct recorder r = normal();
             struct heard h = listener(&board, rotation);
             r.piece = (size_t[]){1, 7, 64, 4096}[(i + rotation) % 4];

@@ -121,9 +121,10 @@ static struct measured measure(const struct board *board)
     const bool ssd = strncmp(board->panel->name, "ssd", 3) == 0, pages = sim->glass.model->pages;
     const uint8_t mirrors = (uint8_t)(sim->u.page.remap | sim->u.page.from_last << 3);
     const struct measured m = {(uint32_t)d.clock_hz, (uint32_t)((ns + 999) / 1000),
-                               pages ? mirrors
-                               : ssd ? sim->u.ssd.remap
-                                     : sim->u.dbi.madctl};
+                               sim->glass.model->mode_0 ? 0 /* a memory LCD has none */
+                               : pages                  ? mirrors
+                               : ssd                    ? sim->u.ssd.remap
+                                                        : sim->u.dbi.madctl};
     sim_close(sim);
     return m;
 }
