@@ -34,14 +34,18 @@ static uint32_t colours(const struct panel_wiring *w, const struct panel *panel,
     return negatives * orders;
 }
 
-static uint32_t turns(const struct panel_wiring *w, uint8_t rotation, struct panel_wiring *variants)
+static uint32_t turns(const struct panel_wiring *w, const struct board *board, struct panel_wiring *variants)
 {
+    uint32_t n = 0;
     for (uint32_t i = 0; i < 4; i++) {
-        variants[i] = *w;
-        variants[i].rotate_set = w->rotate_set || i != 0;
-        variants[i].rotate = (uint8_t)((rotation + i) & 3);
+        const uint8_t rotation = (uint8_t)((board->rotation + i) & 3);
+        if (panel_can_turn(board->panel, rotation)) {
+            variants[n] = *w;
+            variants[n].rotate_set = w->rotate_set || i != 0;
+            variants[n++].rotate = rotation;
+        }
     }
-    return 4;
+    return n;
 }
 
 /* Where makers bond a glass: as the panel has it, in the middle of the memory, at its start, at its end; and in the
@@ -74,7 +78,7 @@ uint32_t panel_identify_variants(enum panel_question question, const struct pane
     case PANEL_COLOURS:
         return colours(w, board->panel, variants);
     case PANEL_TURN:
-        return turns(w, board->rotation, variants);
+        return turns(w, board, variants);
     default:
         return places(w, board->panel, variants);
     }

@@ -11,6 +11,7 @@
 #include <time.h>
 
 #define SECOND_NS 1000000000u
+#define HOLD_NS   (SECOND_NS / 2) /* so often a picture that stands still wants panel_hold() */
 
 uint64_t panel_show_now_ns(void)
 {
@@ -27,7 +28,7 @@ const char *panel_show_text(const struct panel_display *display, int status)
     }
     switch (status) {
     case HAL_EINVAL:
-        return "the panel has not this format, size or clock";
+        return "the panel has not this format, size, turn or clock";
     case HAL_EIO:
         return "the display cannot be written to";
     case HAL_ETIMEDOUT:
@@ -190,16 +191,42 @@ static void report_stats(struct panel_display *displays, int count, struct repor
     *report = (struct report){time_ns, 0};
 }
 
+/* Sleeps until this time, or until a signal comes; then it is not 0. */
+static int sleep_until(uint64_t time_ns)
+{
+    const struct timespec time = {(time_t)(time_ns / SECOND_NS), (long)(time_ns % SECOND_NS)};
+    return clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, NULL);
+}
+
+static int hold(struct panel_display *displays, int count)
+{
+    int status = 0;
+    for (int i = 0; i < count && status == 0; i++) {
+        const int held = panel_hold(&displays[i].runner.driver);
+        status = held == 0 ? 0 : fail(&displays[i], "", held);
+    }
+    return status;
+}
+
 /* Sleeps until the next frame is due, or a signal comes. A late frame delays those after it. */
-static void pace(uint64_t *due_ns, uint32_t fps)
+static int pace(struct panel_display *displays, int count, uint64_t *due_ns, uint32_t fps)
 {
     if (fps == 0) {
-        return;
+        return 0;
     }
-    const uint64_t now = panel_show_now_ns();
+    uint64_t now = panel_show_now_ns();
+    int status = 0;
     *due_ns = *due_ns + SECOND_NS / fps > now ? *due_ns + SECOND_NS / fps : now;
-    const struct timespec due = {(time_t)(*due_ns / SECOND_NS), (long)(*due_ns % SECOND_NS)};
-    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, NULL);
+    for (; status == 0 && *due_ns - now > HOLD_NS; now += HOLD_NS) {
+        if (sleep_until(now + HOLD_NS) != 0) {
+            return 0;
+        }
+        status = hold(displays, count);
+    }
+    if (status == 0) {
+        sleep_until(*due_ns);
+    }
+    return status;
 }
 
 static int run_frames(struct panel_display *displays, int count, const struct panel_scene *scene)
@@ -219,7 +246,7 @@ static int run_frames(struct panel_display *displays, int count, const struct pa
             report_stats(displays, count, &report, false);
         }
         if (status == 0 && *scene->stop == 0) {
-            pace(&due_ns, scene->fps);
+            status = pace(displays, count, &due_ns, scene->fps);
         }
     }
     status = status == PANEL_SHOW_OVER ? 0 : status;
@@ -249,12 +276,13 @@ int panel_show_run(struct panel_display *displays, int count, const struct panel
 }
 
 int panel_show_report(struct panel_display *display, const struct panel_scene *scene,
-                      const struct self_test_machine *machine, self_test_put *put, void (*look)(void))
+                      const struct self_test_machine *machine, self_test_put *put,
+                      void (*look)(struct panel_driver *driver))
 {
     int status = open_display(display, scene);
     if (status == 0) {
         status = self_test_report(&display->runner, machine, put);
-        look();
+        look(&display->runner.driver);
         status = status < 0   ? fail(display, "", status)
                  : status > 0 ? complain("%s: the picture is not the known one", display->board->name)
                               : 0;

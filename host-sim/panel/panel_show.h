@@ -54,7 +54,8 @@ int panel_show_run(struct panel_display *displays, int count, const struct panel
  * is dark again. Returns 0, or COMPLAINED: a CRC was not the known one, or something failed.
  */
 int panel_show_report(struct panel_display *display, const struct panel_scene *scene,
-                      const struct self_test_machine *machine, self_test_put *put, void (*look)(void));
+                      const struct self_test_machine *machine, self_test_put *put,
+                      void (*look)(struct panel_driver *driver));
 
 /* Says what a status means, in the words of the backend if it has some. */
 const char *panel_show_text(const struct panel_display *display, int status);

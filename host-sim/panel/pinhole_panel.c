@@ -212,14 +212,22 @@ static void put_text(const char *text)
     fputs(text, stdout);
 }
 
+#define HOLD_MS 500 /* so often a picture that stands still wants panel_hold() */
+
 /* The card stays until the user has seen it; a script does not look. */
-static void wait_for_enter(void)
+static void wait_for_enter(struct panel_driver *driver)
 {
     fflush(stdout);
-    if (isatty(STDIN_FILENO) != 0) {
-        char byte;
-        fputs("Look at the test card, answer the last line, then press Enter.\n", stderr);
-        while (read(STDIN_FILENO, &byte, 1) == 1 && byte != '\n') {
+    if (isatty(STDIN_FILENO) == 0) {
+        return;
+    }
+    struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+    char byte = 0;
+    fputs("Look at the test card, answer the last line, then press Enter.\n", stderr);
+    while (byte != '\n') {
+        const int typed = poll(&in, 1, HOLD_MS);
+        if (typed < 0 || (typed > 0 && read(STDIN_FILENO, &byte, 1) != 1) || panel_hold(driver) < 0) {
+            return;
         }
     }
 }

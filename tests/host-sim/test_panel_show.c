@@ -202,6 +202,26 @@ static void each_setting_has_its_effect(void **state)
     assert_true(panel_show_now_ns() - start_ns >= 50000000); /* between the two frames */
 }
 
+/* Behind each frame of one a second a memory LCD's VCOM is toggled once more: mode, trailer, and the byte behind. */
+static void a_still_picture_is_held(void **state)
+{
+    (void)state;
+    volatile sig_atomic_t stop = 0;
+    static struct panel_display d;
+    struct panel_scene scene = scene_of(2, &stop);
+    uint64_t bytes[2];
+    for (uint32_t i = 0; i < 2; i++) {
+        struct sim *sim;
+        plug(&d, &board_sim_ls013b7dh03_128x128, &sim);
+        scene.fps = 2 - i;
+        assert_int_equal(panel_show_run(&d, 1, &scene), 0);
+        assert_int_equal(sim_complaint_count(sim), 0);
+        bytes[i] = sim_counters(sim).bytes;
+        sim_close(sim);
+    }
+    assert_int_equal(bytes[1] - bytes[0], 2 * 3);
+}
+
 static void controllers_are_named_by_their_bytes(void **state)
 {
     (void)state;
@@ -239,8 +259,9 @@ static void put_text(const char *text)
     strncat(report_text, text, sizeof report_text - strlen(report_text) - 1);
 }
 
-static void look(void)
+static void look(struct panel_driver *driver)
 {
+    assert_string_equal(driver->config.panel->name, "st7735s-128x128");
     sim_pixels(looked_at, board_rpi_waveshare_1in44.rotation, card);
 }
 
@@ -472,6 +493,7 @@ int main(void)
         cmocka_unit_test(a_run_shows_its_frames_and_ends_dark),
         cmocka_unit_test(a_signal_ends_it_after_the_frame),
         cmocka_unit_test(clips_run_by_the_clock_unless_frames_are_counted),
+        cmocka_unit_test(a_still_picture_is_held),
         cmocka_unit_test(controllers_are_named_by_their_bytes),
         cmocka_unit_test(an_error_ends_it_dark),
         cmocka_unit_test(each_setting_has_its_effect),
