@@ -33,6 +33,7 @@ mkdir -p "$to/kits"
     case $board in
     lm3s6965evb) demo=focus start=60 ;;
     *oled*) demo=wireframe start=40 ;;
+    *sharp*) demo=shadow start=40 ;;
     *0in96* | *1in44*) demo=yard start=40 ;;
     *1in28*) demo=fisheye start=40 ;;
     *1in14 | pico-display | pico2-display) demo=shadow start=40 ;;

@@ -62,8 +62,14 @@ if [ -n "$i2c" ]; then
     panel=(--i2c "$i2c,$(pin clock),$(pin data)")
 else
     [ -n "$(pin dc)" ] || stop "$BOARD: no D/C pin (.dc = BOARD_PIN(n)) in its board.c"
-    [ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
-    panel=(--dc "$(pin dc)" --select "$(pin select)")
+    panel=(--dc "$(pin dc)")
+    case $board in
+    *'.panel = &panel_ls0'*) ;; # a memory LCD, whose SCS is D/C
+    *)
+        [ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
+        panel+=(--select "$(pin select)")
+        ;;
+    esac
 fi
 
 # The functions that begin a frame and write to the bus; a program other than the demos may have none.

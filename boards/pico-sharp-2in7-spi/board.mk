@@ -1,0 +1,1 @@
+include boards/families/pico.mk
