@@ -24,6 +24,10 @@ for bufsiz in 64 4096 65536; do
         check "on $board the wire carries what pinhole-sim draws, bufsiz $bufsiz" rotations_are_as_simulated "$board" "0 90 180 270"
     done
 done
+if in_share; then # a memory LCD is turned by 0 and 180 degrees alone
+    in_guest lines 'guest_rotations 2 "0 180" rpi-sharp-2in7-spi' --bufsiz 64
+    check "on rpi-sharp-2in7-spi the wire carries what pinhole-sim draws" rotations_are_as_simulated rpi-sharp-2in7-spi "0 180"
+fi
 if in_share; then
     in_guest usb 'guest_usb_rotations 2 "0 90 180 270" $usb_boards' --icount
     for board in $usb_boards; do
