@@ -18,8 +18,14 @@
  *   s >= sqrt(2) 2^-8 p z sin(tilt) + s_z n r + 2 G,
  * s_z the distance in which d changes by a code and what both triangles are off. n r = cos(tilt) + tan(phi) sin(tilt)
  * for the ray with the angle phi to the view. Over all tilts the right side is S_min of Akeley and Su (2006),
- * sqrt((s_xy + s_z tan phi)^2 + s_z^2), plus 2 G. Nothing of this depends on the azimuth or on the shading: a triangle
- * has one depth in every shading (depth.h).
+ * sqrt((s_xy + s_z tan phi)^2 + s_z^2), plus 2 G.
+ *
+ * A plane across octaves is off by a part u of N / z' of its nearest corner (depth_separation.c), so a surface needs
+ * u z c / z' = u z n r', r' the ray of that corner. n r' is at most cos(tilt) + tan(phi') sin(tilt), phi' the angle of
+ * the farthest place that a corner may have; it is also at most n r times the ratio of the distances that one plane
+ * may have. The smaller bound of the two counts.
+ *
+ * Nothing of this depends on the azimuth or on the shading: a triangle has one depth in every shading (depth.h).
  *
  * Surfaces that face the camera have one w: neither sub-pixels nor gradients count, and what remains is the longest
  * plateau of the codes.
@@ -56,6 +62,9 @@ double depth_guard_way_px(const struct depth_lab *lab);
  */
 double depth_separation_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z, double tilt_deg,
                           double way_px);
+
+/* The distance up to z at which the most is needed along the view: z, or where an octave of a float ends. */
+double depth_coarsest_m(const struct ph_depth_format *format, const struct depth_lab *lab, double z, double way_px);
 
 /* In whole steps of Q16.16, rounded up, as all commands print it; "none" for HUGE_VAL. */
 void depth_separation_text(double metres, char text[LAB_TEXT_SIZE]);
