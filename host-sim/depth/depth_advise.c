@@ -89,7 +89,7 @@ static uint32_t leaning(const struct question *q, const struct lab_format *forma
     double apart = HUGE_VAL;
     if (depth_planes_open(&canvas, &lab, format->format) == 0) {
         const struct planes_lean lean = {z * LSB, q->tilt_deg, NAN};
-        apart = depth_planes_sweep(&canvas, format->format, lean).measured_m;
+        apart = depth_planes_sweep(&canvas, format->format, lean).found_m;
     }
     depth_planes_close(&canvas);
     return isfinite(apart) ? depth_separation_lsbs(apart) : 0;

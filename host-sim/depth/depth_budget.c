@@ -33,7 +33,7 @@ static void sweep_tilts(struct planes_canvas *canvas, const struct ph_depth_form
     budget->measured_m[ALL] = 0;
     for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
         const struct planes_sweep sweep = depth_planes_sweep(canvas, format, (struct planes_lean){z, tilts[i], NAN});
-        budget->measured_m[ALL] = fmax(budget->measured_m[ALL], sweep.measured_m);
+        budget->measured_m[ALL] = fmax(budget->measured_m[ALL], sweep.found_m);
     }
 }
 

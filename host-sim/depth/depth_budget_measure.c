@@ -9,6 +9,7 @@
 #include "setup.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #define TRIES       2000
 #define ROLLS       320 /* with 96 both ends of a rounding are met too seldom */
@@ -201,6 +202,37 @@ static double code_of(const struct depth_lab *lab, const struct ph_triangle *tri
     return t->block != PH_BLOCK_NONE
                ? depth_code_of_float(format, lab, ldexp(signed_value, -32 - ph_block_exponent(t->block)))
                : value / (ph_depth_bytes(format) == 4 ? 256.0 : 65536.0);
+}
+
+/* Whether the snapped corners leave the centre of a pixel inside, and not just on a side. */
+static bool covers(const struct planes_canvas *canvas, const struct fx_vec3 p[3], int32_t x, int32_t y)
+{
+    const struct ph_renderer *r = &canvas->renderer;
+    const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
+    struct ph_vertex v[3];
+    int sides = 0;
+    for (int i = 0; i < 3; i++) {
+        ph_transform(r, &matrix, &p[i], &v[i]);
+    }
+    for (int i = 0; i < 3; i++) {
+        const struct ph_vertex *const a = &v[i], *const b = &v[(i + 1) % 3];
+        const int64_t dx = (int64_t)b->x - a->x, dy = (int64_t)b->y - a->y;
+        const int64_t side = dx * (y * 256 + 128 - a->y) - dy * (x * 256 + 128 - a->x);
+        const int64_t least = (llabs(dx) + llabs(dy)) / 64;
+        sides += (side > least) - (side < -least);
+    }
+    return abs(sides) == 3;
+}
+
+double depth_budget_code(const struct planes_canvas *canvas, uint32_t number, const struct fx_vec3 p[3], int32_t x,
+                         int32_t y)
+{
+    struct ph_triangle triangle;
+    if (!covers(canvas, p, x, y)) {
+        return NAN;
+    }
+    ph_setup_number(&canvas->renderer, number, &triangle);
+    return code_of(canvas->lab, &triangle, canvas->renderer.config.depth_format, (uint32_t)x, (uint32_t)y);
 }
 
 /* Widens by the errors of the planes on a grid of pixels, in metres. Corners 0 and 2 are the diagonal. */

@@ -24,4 +24,9 @@ double depth_budget_divide_m(struct planes_canvas *canvas, double z);
 double depth_budget_interpolation_m(struct planes_canvas *canvas, double z);
 double depth_budget_subpixel_m(struct planes_canvas *canvas, double z);
 
+/* The code that a triangle of the frame, by its number, has at a pixel before it is cut off; p: its corners. NAN: it
+ * does not cover the pixel's centre. The frame need not be drawn. */
+double depth_budget_code(const struct planes_canvas *canvas, uint32_t number, const struct fx_vec3 p[3], int32_t x,
+                         int32_t y);
+
 #endif

@@ -229,13 +229,13 @@ static void sweep_row(const struct depth_lab *lab, const struct lab_format *form
     fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%g,%.4g,%.4g,%s,", format->name, format->bits,
             depth_metres(lab->near_z), depth_metres(lab->far_z), lean.at_m, lean.tilt_deg, sweep.s_min_m,
             sweep.at_tilt_m, enough);
-    if (isfinite(sweep.measured_m)) {
-        fprintf(lab->rows, "%.10g,%.3f,", sweep.measured_m, sweep.measured_m / sweep.at_tilt_m);
+    if (isfinite(sweep.found_m)) {
+        fprintf(lab->rows, "%.10g,%.3f,", sweep.found_m, sweep.found_m / sweep.at_tilt_m);
     } else {
         fputs("none,none,", lab->rows);
     }
     fprintf(lab->rows, "%g,%s\n", lean.azimuth_deg, depth_shading_names[lab->shading]);
-    if (!isfinite(sweep.measured_m)) {
+    if (!isfinite(sweep.found_m)) {
         fprintf(lab->rows,
                 "# none: %s at %g m, tilted by %g degrees: no separation is right in every place, or the planes have "
                 "no room (their corners lie within 16384 m)\n",

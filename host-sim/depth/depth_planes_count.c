@@ -2,6 +2,7 @@
  * wrong. */
 #include "depth_planes_count.h"
 
+#include "depth_planes_climb.h"
 #include "depth_separation.h"
 
 #include <math.h>
@@ -173,7 +174,7 @@ static void predict(const struct depth_lab *lab, const struct ph_depth_format *f
 struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struct ph_depth_format *format,
                                        struct planes_lean lean)
 {
-    struct planes_sweep sweep = {0, 0, 0, HUGE_VAL};
+    struct planes_sweep sweep = {0, 0, 0, HUGE_VAL, HUGE_VAL};
     predict(canvas->lab, format, lean, &sweep);
     double real_m;
     int step = 16, by = 4; /* from twice S_min, in large steps first */
@@ -197,6 +198,10 @@ struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struc
             verdict = ALL_RIGHT;
             real_m = sweep.measured_m;
         }
+    }
+    sweep.found_m = sweep.measured_m;
+    if (isfinite(sweep.measured_m) && lean.tilt_deg != 0 && canvas->draw == NULL) {
+        sweep.found_m = fmax(sweep.measured_m, depth_planes_climb_m(canvas, lean, sweep.bound_m));
     }
     return sweep;
 }

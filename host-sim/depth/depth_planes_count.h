@@ -27,6 +27,7 @@ struct planes_sweep {
     double at_tilt_m;  /* predicted at this tilt */
     double bound_m;    /* of depth_separation.h: no larger separation is ever wrong, whatever the azimuth */
     double measured_m; /* smallest separation from which on no pixel was found wrong; HUGE_VAL: none */
+    double found_m;    /* that, or what depth_planes_climb.h found to be wrong, whichever is larger */
 };
 
 /*
@@ -34,6 +35,7 @@ struct planes_sweep {
  * above S_min down in steps of 2^(1/16). Each separation is tried in 24 places that differ by parts of a pixel and of a
  * depth step; half of them are as wide as the picture, the others small (24 px) or tiny (6 px) in its middle, or small
  * at the edge where rays meet the planes most steeply. If lean.azimuth_deg is NAN each place has an azimuth of its own.
+ * Triangles in such planes are then chosen against the renderer (depth_planes_climb.h), unless the canvas has a draw.
  */
 struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struct ph_depth_format *format,
                                        struct planes_lean lean);

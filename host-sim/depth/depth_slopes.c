@@ -14,8 +14,8 @@ static void put_row(const struct depth_lab *lab, const struct lab_format *format
     depth_separation_text(sweep.bound_m, enough);
     fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%s,%g,%s,", format->name, format->bits, depth_metres(lab->near_z),
             depth_metres(lab->far_z), lean.at_m, depth_shading_names[canvas->shading], lean.tilt_deg, enough);
-    if (isfinite(sweep.measured_m)) {
-        fprintf(lab->rows, "%.10g,%.3f\n", sweep.measured_m, sweep.bound_m / sweep.measured_m);
+    if (isfinite(sweep.found_m)) {
+        fprintf(lab->rows, "%.10g,%.3f\n", sweep.found_m, sweep.bound_m / sweep.found_m);
     } else {
         fputs("none,none\n", lab->rows);
     }

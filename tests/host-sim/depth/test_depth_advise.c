@@ -70,7 +70,7 @@ struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struc
 {
     assert_true(canvas->lab->far_z == lab.far_z && format != NULL && isnan(lean.azimuth_deg));
     lean_at_m = sweeps++ == 0 ? lean.at_m : lean_at_m;
-    return (struct planes_sweep){.measured_m = lean_m};
+    return (struct planes_sweep){.found_m = lean_m};
 }
 
 double depth_way_px(const struct depth_lab *of)

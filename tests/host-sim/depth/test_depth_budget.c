@@ -58,7 +58,7 @@ struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, const struc
 {
     assert_true(canvas->lab != NULL && format == opened && isnan(lean.azimuth_deg));
     tilts[sweeps++ % 16] = lean.tilt_deg;
-    return (struct planes_sweep){.measured_m = lean.at_m * (10 + lean.tilt_deg / 85)};
+    return (struct planes_sweep){.found_m = lean.at_m * (10 + lean.tilt_deg / 85)};
 }
 
 double depth_way_px(const struct depth_lab *lab)
