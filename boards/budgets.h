@@ -10,7 +10,7 @@
 #define BUDGETS_H
 
 #define BUDGET_RP2040    .image_ram = {162201, 240640}, .scene_bytes = 213 * 512
-#define BUDGET_RP2350    .image_ram = {319488, 379904}, .scene_bytes = 296 * 512
+#define BUDGET_RP2350    .image_ram = {319488, 379904}, .scene_bytes = 295 * 512
 #define BUDGET_STM32F405 .image_ram = {117964}, .scene_bytes = 210 * 512
 #define BUDGET_LM3S6965  .image_ram = {39321}, .scene_bytes = 58 * 512
 
