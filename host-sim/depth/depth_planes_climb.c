@@ -134,10 +134,11 @@ static void measure(struct climb *s, struct sample *sample)
     const uint32_t number = stats->triangles_drawn;
     list_triangle(canvas, p, PLANES_FRONT);
     if (stats->triangles_drawn == number + 1 && stats->triangles_clipped == 0) {
-        const double code = depth_budget_code(canvas, number, p, s->x, s->y);
-        const double z = depth_distance_of(canvas->renderer.config.depth_format, canvas->lab, code);
+        const double code = depth_budget_code(canvas, number, p, s->x, s->y); /* NAN: the pixel is not covered */
+        const double z =
+            isfinite(code) ? depth_distance_of(canvas->renderer.config.depth_format, canvas->lab, code) : NAN;
         sample->off = (double)sample->offset - z * 65536 * s->per_z;
-        sample->code = z > 0 && isfinite(z) ? code : NAN; /* z is NAN as well */
+        sample->code = z > 0 && isfinite(z) ? code : NAN;
     }
 }
 

@@ -39,8 +39,22 @@ void proof_tanh(void)
     fx_tanh(nondet_i32());
 }
 
+void proof_arrays(void)
+{
+    const fx_t a[2] = {nondet_i32(), nondet_i32()}, b[2] = {nondet_i32(), nondet_i32()};
+    fx_t to[2];
+    fx_add_array_sat(to, a, b, 2);
+    fx_sub_array_sat(to, a, b, 2);
+    fx_mul_array_sat(to, a, b, 2);
+    fx_scale_array_sat(to, a, b[0], 2);
+    fx_map_array(to, a, 2, fx_neg_sat);
+    fx_sum_array_sat(a, 2);
+    fx_dot_array_sat(a, b, 2);
+}
+
 void proof_sums(void)
 {
+    fx_sum_add_sat(nondet_i64(), nondet_i64());
     fx_sum_mul_sat(nondet_i64(), nondet_i32(), nondet_i32());
     fx_from_sum_sat(nondet_i64());
     fx_sum_of(nondet_i32());

@@ -43,6 +43,7 @@ fx_math.exp2             |                       | 20 | no overflow
 fx_math.exp              |                       | 20 | no overflow
 fx_math.sinh             |                       | 20 | no overflow
 fx_math.tanh             | fx_quotient_u64       | 20 | no overflow
+fx_math.arrays           |                       |  3 | no overflow
 fx_math.sums             |                       | 20 | no overflow
 fx_math.log2             |                       | 20 | no overflow
 fx_math.log              |                       | 20 | no overflow

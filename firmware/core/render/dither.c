@@ -18,8 +18,6 @@
 #include "samples.h"
 #include "setting.h"
 
-#include <string.h>
-
 _Static_assert(sizeof(((struct ph_dither *)NULL)->calls) == sizeof(struct ph_antialiasing), "room for all calls");
 _Static_assert(PH_RAMP_SIZE << (PH_LIGHT_DOWN - PH_DITHERED_DOWN) == PH_DITHER_STEPS * PH_RAMP_SIZE,
                "10 bits of light");
@@ -291,7 +289,7 @@ int ph_dither(struct ph_renderer *r, struct ph_dither *dither) /* called as set_
         for (uint32_t i = 0; i < dither->ramp_max; i++) {
             dither->ramps[i].frame = 0;
         }
-        memcpy(dither->calls, &dithering, sizeof(dithering));
+        __builtin_memcpy(dither->calls, &dithering, sizeof(dithering)); /* string.h is not everywhere */
         r->config.antialiasing = (const struct ph_antialiasing *)(const void *)dither;
     }
     return PH_OK;

@@ -8,7 +8,7 @@
 
 static bool is_dbi(const struct panel *p)
 {
-    return strncmp(p->name, "ssd", 3) != 0 && strncmp(p->name, "sh", 2) != 0;
+    return strncmp(p->name, "ssd", 3) != 0 && strncmp(p->name, "sh", 2) != 0 && strncmp(p->name, "ls0", 3) != 0;
 }
 
 /* The serial write cycles of the data sheets, in ns, and COLMOD for 16, 18 and 12 bits a pixel; 0: it has no such
