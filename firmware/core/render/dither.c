@@ -167,6 +167,16 @@ static void make_ramps(struct ph_dithered_ramp *to, const struct ph_material *ma
     }
 }
 
+/* Whether a ramp still has the colours that it had. */
+static bool is_as_it_was(const uint16_t *colours, const uint16_t *ramp)
+{
+    uint32_t i = 0;
+    while (i < PH_RAMP_SIZE && colours[i] == ramp[i]) {
+        i++;
+    }
+    return i == PH_RAMP_SIZE;
+}
+
 /* The dithered ramp of a material, which is made if there is none; NULL: there is no room. One that this frame has not
  * had yet gives its room. */
 static const uint16_t *ramps_of(struct ph_dither *d, const struct ph_material *material)
@@ -174,7 +184,7 @@ static const uint16_t *ramps_of(struct ph_dither *d, const struct ph_material *m
     struct ph_dithered_ramp *room = NULL;
     for (uint32_t i = 0; i < d->ramp_max; i++) {
         struct ph_dithered_ramp *const at = &d->ramps[i];
-        if (at->ramp == material->ramp && memcmp(at->colours, material->ramp, PH_RAMP_SIZE * sizeof(uint16_t)) == 0) {
+        if (at->ramp == material->ramp && is_as_it_was(at->colours, material->ramp)) {
             at->frame = d->frame;
             return at->colours;
         }
