@@ -60,7 +60,7 @@ model_is_the_simulators() {
 import pinhole
 model = pinhole.Model(open("$dir/scene.phs", "rb").read())
 vertices, triangles = model.need()
-renderer = pinhole.Renderer(160, 120, vertices=vertices, triangles=triangles, order=2)
+renderer = pinhole.Renderer(160, 120, vertices=vertices, triangles=triangles, order=pinhole.RGB888)
 model.draw(renderer, frame=7)
 picture = bytearray(3 * 160 * 120)
 renderer.show(picture)
@@ -81,7 +81,16 @@ r.show(bytearray(9)) | ValueError | 8192 bytes
 pinhole.Renderer(0, 64) | ValueError | 1 .. 1024
 pinhole.Mesh([(0, 0, 0)], [(0, 0, 1)]) | ValueError | vertex 1, of 1
 pinhole.Mesh([(0, 0), (1, 1)], [(0, 1, 0)]) | ValueError | length 3
-pinhole.Mesh([], []) | ValueError | not 0
+pinhole.Mesh([], []) | ValueError | 65536 positions, not 0
+pinhole.Mesh(p, []) | ValueError | triangles, not 0
+pinhole.Mesh([(float("nan"), 0, 0)], [(0, 0, 0)]) | ValueError | NaN
+pinhole.Mesh(p, [(0, 1, 2)], colour=-1) | ValueError | 0xffffff
+pinhole.Mesh(p, [(0, 1, 2)], colours=[0, 0, 0x1000000]) | ValueError | 0xffffff
+pinhole.Mesh(p, [(0, 1, 2)], colours=p, uvs=p, texture=pinhole.Texture(b, 2, 2)) | ValueError | not both
+pinhole.Texture(b, 2, 2, order=2) | ValueError | WIRE or NATIVE
+pinhole.Renderer(64, 64, order=3) | ValueError | RGB888
+pinhole.Renderer(64, 64, order=pinhole.RGB888).text(b, 0, 0, "") | ValueError | WIRE or NATIVE
+r.begin((0, 0, 5)); r.show(lambda *band: r.begin((0, 0, 5))) | RuntimeError | not inside
 pinhole.Mesh(p, [(0, 1, 2)], uvs=[(0, 0)]) | ValueError | 1 uvs for 3
 pinhole.Mesh(p, [(0, 1, 2)], texture=pinhole.Texture(bytes(8), 2, 2)) | ValueError | uvs
 pinhole.Texture(bytes(8), 3, 1) | ValueError | 1, 2, 4
@@ -100,9 +109,90 @@ mistakes_raise() {
     "$python" "$dir/wrong.py" >"$dir/said" 2>&1 && [ ! -s "$dir/said" ] || { cat "$dir/said" && return 1; }
 }
 
+# Nothing else holds the meshes, the arena or the pixels while memory is collected and written anew.
+what_is_shown_stays() {
+    cat >"$dir/stays.py" <<PYTHON
+import gc
+import pinhole
+def again():
+    gc.collect()
+    full = []
+    for size in (4096, 256, 32):
+        junk = b"\xdb" * size
+        try:
+            while True:
+                full.append(bytearray(junk))
+        except MemoryError:
+            pass
+    full = None
+    gc.collect()
+def triangle(texel):
+    return pinhole.Mesh([(-1, -1, 0), (1, -1, 0), (0, 1, 0)], [(0, 1, 2)], uvs=[(0, 0), (1, 0), (0, 1)], texture=pinhole.Texture(texel * 4096, 64, 64))
+def shown(renderer):
+    picture = bytearray(8192)
+    renderer.show(picture)
+    return picture
+r = pinhole.Renderer(64, 64, vertices=20)
+r.begin((0, 0, 3))
+r.draw(triangle(b"\x12\x34"))
+right = shown(r)
+r.begin((0, 0, 3))
+r.draw(triangle(b"\x12\x34"))
+again()
+assert shown(r) == right
+r.begin((0, 0, 3))
+r.draw(triangle(b"\x12\x34"))
+try:
+    r.begin((0, 0, 3), background="red")
+except TypeError:
+    pass
+r.draw(triangle(b"\x56\x78"), position=(99, 0, 0))
+again()
+assert shown(r) == right
+data = open("$dir/scene.phs", "rb").read()
+model = pinhole.Model(data)
+vertices, triangles = model.need()
+one, other = [pinhole.Renderer(64, 64, vertices=vertices, triangles=triangles) for i in range(2)]
+model.draw(one, frame=3)
+right = shown(one)
+model.draw(one, frame=3)
+model.draw(other, frame=9)
+again()
+assert shown(one) == right
+model.draw(one, frame=3)
+model = None
+again()
+assert shown(one) == right
+kept = []
+r.begin((0, 0, 3), background=0xff0000)
+r.show(lambda y, lines, pixels: kept.append(pixels))
+right = bytes(kept[-1])
+r = None
+again()
+assert bytes(kept[-1]) == right
+PYTHON
+    "$python" -X heapsize=400k "$dir/stays.py"
+}
+
+classes_are_drawn() {
+    cat >"$dir/classes.py" <<'PYTHON'
+import pinhole
+class Triangle(pinhole.Mesh):
+    def __init__(self):
+        super().__init__([(-1, -1, 0), (1, -1, 0), (0, 1, 0)], [(0, 1, 2)])
+r = pinhole.Renderer(64, 64, vertices=20)
+r.begin((0, 0, 3))
+r.draw(Triangle())
+assert r.stats()[0] == 1, r.stats()
+PYTHON
+    "$python" "$dir/classes.py"
+}
+
 check "the unix port builds with it" unix_builds
 check "hello.py draws" hello_draws
 check "an M3 with its kernels draws the same bytes, in bands, too" m3_draws_the_same
 check "a binary scene is the simulator's picture" model_is_the_simulators
-check "16 mistakes raise what they should" mistakes_raise
+check "26 mistakes raise what they should" mistakes_raise
+check "what a frame shows stays until it is shown" what_is_shown_stays
+check "a class made of Mesh is drawn" classes_are_drawn
 tap_end

@@ -31,6 +31,9 @@ static mp_obj_t texture_make(const mp_obj_type_t *type, size_t n_args, size_t n_
     mp_buffer_info_t from;
     mp_arg_parse_all_kw_array(n_args, n_kw, args, MP_ARRAY_SIZE(allowed), allowed, a);
     const uint8_t log2_width = log2_of(a[WIDTH].u_int), log2_height = log2_of(a[HEIGHT].u_int);
+    if (a[ORDER].u_int != ORDER_WIRE && a[ORDER].u_int != ORDER_NATIVE) {
+        mp_raise_ValueError(MP_ERROR_TEXT("order is WIRE or NATIVE"));
+    }
     const size_t count = (size_t)1 << (log2_width + log2_height);
     mp_get_buffer_raise(a[TEXELS].u_obj, &from, MP_BUFFER_READ);
     if (from.len < 2 * count) {
@@ -92,13 +95,13 @@ static void smooth_normals(const struct ph_mesh *mesh, int16_t (*normals)[3])
     m_del(mp_float_t, (void *)sums, 3 * (size_t)mesh->vertex_count);
 }
 
-static void *copy_of_triples(mp_obj_t from, size_t size, uint32_t *count, uint32_t most)
+static void *room_for_all(mp_obj_t from, size_t size, uint32_t *count, uint32_t most, const char *name)
 {
     size_t n;
     mp_obj_t *of;
     mp_obj_get_array(from, &n, &of);
     if (n == 0 || n > most) {
-        mp_raise_msg_varg(&mp_type_ValueError, MP_ERROR_TEXT("1 to %d of them, not %d"), (int)most, (int)n);
+        mp_raise_msg_varg(&mp_type_ValueError, MP_ERROR_TEXT("1 to %d %s, not %d"), (int)most, name, (int)n);
     }
     *count = (uint32_t)n;
     return m_malloc0(size * n);
@@ -106,7 +109,7 @@ static void *copy_of_triples(mp_obj_t from, size_t size, uint32_t *count, uint32
 
 static void set_triangles(struct mesh *m, mp_obj_t from)
 {
-    uint16_t(*const to)[3] = copy_of_triples(from, sizeof *to, &m->of.triangle_count, 1 << 20);
+    uint16_t(*const to)[3] = room_for_all(from, sizeof *to, &m->of.triangle_count, 1 << 20, "triangles");
     size_t n;
     mp_obj_t *of, *corner;
     mp_obj_get_array(from, &n, &of);
@@ -173,7 +176,7 @@ static void set_colours(struct mesh *m, mp_obj_t *from)
 /* A colour, or a texture or None, and whether it is lit, as the mesh's material. */
 static void set_material(struct mesh *m, mp_obj_t colour, mp_obj_t texture, bool lit)
 {
-    const mp_int_t rgb = mp_obj_get_int(colour);
+    const uint32_t rgb = pinhole_rgb(colour);
     const bool textured = texture != mp_const_none;
     ph_material_ramp(m->ramp, (uint8_t)(rgb >> 16), (uint8_t)(rgb >> 8), (uint8_t)rgb, 0);
     m->texture = texture;
@@ -211,7 +214,7 @@ static mp_obj_t mesh_make(const mp_obj_type_t *type, size_t n_args, size_t n_kw,
     struct mesh *const m = mp_obj_malloc(struct mesh, type);
     memset(&m->of, 0, sizeof m->of);
     struct fx_vec3 *const positions =
-        copy_of_triples(a[POSITIONS].u_obj, sizeof *positions, &m->of.vertex_count, 65536);
+        room_for_all(a[POSITIONS].u_obj, sizeof *positions, &m->of.vertex_count, 65536, "positions");
     mp_obj_t *const of = of_vertices(m, a[POSITIONS].u_obj, "positions"),
                     *const uvs = of_vertices(m, a[UVS].u_obj, "uvs"),
                     *const colours = of_vertices(m, a[COLOURS].u_obj, "colours");
@@ -223,6 +226,9 @@ static mp_obj_t mesh_make(const mp_obj_type_t *type, size_t n_args, size_t n_kw,
     const bool lit = a[LIT].u_bool, textured = a[TEXTURE].u_obj != mp_const_none;
     if (textured && uvs == NULL) {
         mp_raise_ValueError(MP_ERROR_TEXT("a texture needs uvs"));
+    }
+    if (textured && colours != NULL) {
+        mp_raise_ValueError(MP_ERROR_TEXT("a mesh has colours or a texture, not both"));
     }
     if (lit) {
         set_normals(m, of_vertices(m, a[NORMALS].u_obj, "normals"));

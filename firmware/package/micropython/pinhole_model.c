@@ -14,7 +14,8 @@ struct scene_model {
     mp_obj_t renderer; /* that it was begun for; or None */
 };
 
-/* Model(data): a binary scene, FILE.phs of pinhole-asset, drawn where it lies: bytes, or flash by a memoryview. */
+/* Model(data): a binary scene, FILE.phs of pinhole-asset, drawn where it lies: bytes, or flash by a memoryview.
+ * They must stay as they are: a bytearray that is changed or grows later brings the program down. */
 static mp_obj_t model_make(const mp_obj_type_t *type, size_t n_args, size_t n_kw, const mp_obj_t *args)
 {
     mp_buffer_info_t data;
@@ -33,6 +34,13 @@ static mp_obj_t model_make(const mp_obj_type_t *type, size_t n_args, size_t n_kw
     m->demo = scene_file_demo(data.buf);
     m->renderer = mp_const_none;
     return MP_OBJ_FROM_PTR(m);
+}
+
+/* The frame needs the model, and the arena even when the model has taken another one for another renderer. */
+static void keep(const struct scene_model *m, struct renderer *o)
+{
+    mp_obj_list_append(o->drawn, MP_OBJ_FROM_PTR(m));
+    mp_obj_list_append(o->drawn, MP_OBJ_FROM_PTR(m->context.arena.base));
 }
 
 /* draw(renderer, frame=0, orbit=0): all of a frame, in place of begin() and draw(): the turntable, or the file's
@@ -60,10 +68,11 @@ static mp_obj_t model_draw(size_t n_args, const mp_obj_t *args, mp_map_t *kw)
         pinhole_raise_if(m->demo.init(&m->context));
         m->renderer = a[RENDERER].u_obj;
     }
-    mp_obj_list_set_len(MP_OBJ_TO_PTR(o->drawn), 0);
-    mp_obj_list_append(o->drawn, args[0]);
     m->context.orbit = fx_turn32_from_deg(pinhole_fx(a[ORBIT].u_obj));
+    keep(m, o);
     pinhole_raise_if(m->demo.frame(&m->context, &o->r, (uint32_t)a[FRAME].u_int));
+    pinhole_forget_drawn(o);
+    keep(m, o); /* the list has room now */
     return mp_const_none;
 }
 static MP_DEFINE_CONST_FUN_OBJ_KW(model_draw_obj, 1, model_draw);

@@ -4,6 +4,8 @@
 #include "overlay.h"
 #include "status.h"
 
+#include "py/objarray.h"
+
 #include <string.h>
 
 /* Renderer(width, height, vertices=1000, triangles=1000, lines=16, order=NATIVE): vertices of the largest mesh, and the
@@ -26,6 +28,9 @@ static mp_obj_t renderer_make(const mp_obj_type_t *type, size_t n_args, size_t n
     if (a[VERTICES].u_int < 4 || a[VERTICES].u_int > 65536 || a[TRIANGLES].u_int < 1 || a[TRIANGLES].u_int > 1000000) {
         mp_raise_ValueError(MP_ERROR_TEXT("vertices are 4 .. 65536, triangles 1 .. 1000000"));
     }
+    if (a[ORDER].u_int < ORDER_WIRE || a[ORDER].u_int > ORDER_RGB888) {
+        mp_raise_ValueError(MP_ERROR_TEXT("order is WIRE, NATIVE or RGB888"));
+    }
     struct renderer *const o = mp_obj_malloc(struct renderer, type);
     struct ph_config config = {.width = (uint16_t)width,
                                .height = (uint16_t)height,
@@ -44,6 +49,16 @@ static mp_obj_t renderer_make(const mp_obj_type_t *type, size_t n_args, size_t n
     return MP_OBJ_FROM_PTR(o);
 }
 
+/* The list's slots are cleared, so that they keep nothing either. */
+void pinhole_forget_drawn(struct renderer *o)
+{
+    size_t n;
+    mp_obj_t *of;
+    mp_obj_list_get(o->drawn, &n, &of);
+    memset(of, 0, n * sizeof *of);
+    mp_obj_list_set_len(o->drawn, 0);
+}
+
 /* A light: the direction towards one far away, (x, y, z), or (x, y, z, 0xRRGGBB). */
 static struct ph_light light_of(mp_obj_t from)
 {
@@ -59,7 +74,7 @@ static struct ph_light light_of(mp_obj_t from)
         mp_raise_ValueError(MP_ERROR_TEXT("a light has no direction"));
     }
     if (n == 4) {
-        const mp_int_t rgb = mp_obj_get_int(of[3]);
+        const uint32_t rgb = pinhole_rgb(of[3]);
         light.red = (fx_t)((rgb >> 16 & 255) * FX_ONE / 255);
         light.green = (fx_t)((rgb >> 8 & 255) * FX_ONE / 255);
         light.blue = (fx_t)((rgb & 255) * FX_ONE / 255);
@@ -110,8 +125,8 @@ static mp_obj_t renderer_begin(size_t n_args, const mp_obj_t *args, mp_map_t *kw
             light.lights[light.count++] = light_of(of[i]);
         }
     }
-    mp_obj_list_set_len(MP_OBJ_TO_PTR(o->drawn), 0);
     pinhole_raise_if(ph_frame_begin(&o->r, &view, &projection, &light, pinhole_colour(a[BACKGROUND].u_obj)));
+    pinhole_forget_drawn(o);
     return mp_const_none;
 }
 static MP_DEFINE_CONST_FUN_OBJ_KW(renderer_begin_obj, 1, renderer_begin);
@@ -158,8 +173,9 @@ static int flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t
         o->at += bytes;
         return 0;
     }
-    const mp_obj_t band[3] = {mp_obj_new_int_from_uint(y), mp_obj_new_int_from_uint(height),
-                              mp_obj_new_memoryview('B', bytes, (void *)(uintptr_t)pixels)};
+    const mp_obj_t view = mp_obj_new_memoryview('B', bytes, o->memory); /* of the memory's head, which keeps it */
+    ((mp_obj_array_t *)MP_OBJ_TO_PTR(view))->free = (size_t)((const uint8_t *)pixels - (uint8_t *)o->memory);
+    const mp_obj_t band[3] = {mp_obj_new_int_from_uint(y), mp_obj_new_int_from_uint(height), view};
     mp_call_function_n_kw(o->to, 3, 0, band);
     return 0;
 }
@@ -204,6 +220,9 @@ static mp_obj_t renderer_text(size_t n_args, const mp_obj_t *args, mp_map_t *kw)
     mp_arg_parse_all(n_args - 1, args + 1, kw, MP_ARRAY_SIZE(allowed), allowed, a);
     mp_get_buffer_raise(a[TO].u_obj, &buffer, MP_BUFFER_WRITE);
     const bool is_native = o->r.config.pixel_order == ORDER_NATIVE;
+    if (o->r.config.pixel_order == ORDER_RGB888) {
+        mp_raise_ValueError(MP_ERROR_TEXT("text needs a Renderer of order WIRE or NATIVE"));
+    }
     const uint16_t colour = pinhole_colour(a[COLOUR].u_obj),
                    outline = a[OUTLINE].u_obj != mp_const_none ? pinhole_colour(a[OUTLINE].u_obj) : colour;
     const struct ph_overlay_band band = {.pixels = buffer.buf, .width = o->r.config.width, .lines = o->r.config.height};
