@@ -21,7 +21,8 @@ void pinhole_raise_if(int status)
     case PH_ERR_NOMEM:
         mp_raise_msg(&mp_type_MemoryError, MP_ERROR_TEXT("the Renderer has too few vertices for it"));
     case PH_ERR_STATE:
-        mp_raise_msg(&mp_type_RuntimeError, MP_ERROR_TEXT("no frame has begun: call begin() before each show(), not inside one"));
+        mp_raise_msg(&mp_type_RuntimeError,
+                     MP_ERROR_TEXT("no frame has begun: call begin() before each show(), not inside one"));
     case PH_ERR_RANGE:
         mp_raise_ValueError(MP_ERROR_TEXT("the camera's numbers do not fit Q16.16: see ph_frame_begin() of render.h"));
     default:
