@@ -87,10 +87,10 @@ static void report_model(FILE *file, const struct asset *asset)
     fprintf(file, "triangles  %u of %u: %s%s", (unsigned)model->triangle_count, (unsigned)asset->triangles_read,
             asset->is_simplified ? "simplified" : "as in the file", lacks ? ", without those that have no area" : "");
     if (asset->is_simplified) {
-        fprintf(file, "; the surface moved by about %.2g %% of the model's radius", 100 * asset->error);
+        fprintf(file, "; the surface moved by about %.3g %% of the model's radius", 100 * asset->error);
     }
     if (asset->off > 0) {
-        fprintf(file, ", %.2g %% of its pixels are off", 100 * asset->off);
+        fprintf(file, ", %.3g %% of its pixels are off", 100 * asset->off);
     }
     fprintf(file, "\nvertices   %u of %u%s, %u in the largest of %u meshes\n", (unsigned)vertices,
             (unsigned)asset->vertices_read, vertices < asset->vertices_read ? " (equal ones are one)" : "",

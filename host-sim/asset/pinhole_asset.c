@@ -64,7 +64,7 @@ static int compare(struct asset *asset, const struct model *model, const struct 
 
 static int refuse(const struct asset *asset, const struct asset_options *o)
 {
-    return complain("%s: of its %u triangles %u remain, and %.0f %% of its pixels are off; more than %.0f %% takes "
+    return complain("%s: of its %u triangles %u remain, and %.3g %% of its pixels are off; more than %.0f %% takes "
                     "--force (make: SCENE_FLAGS=--force), or more triangles, or a board with more room",
                     o->goal.model, (unsigned)asset->triangles_read, (unsigned)asset->model.triangle_count,
                     100 * asset->off, 100 * ASSET_OFF_MOST);
