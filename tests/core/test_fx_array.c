@@ -113,21 +113,23 @@ static void arrays_are_the_functions_of_each_element(void **state)
 
 static void totals_lose_nothing(void **state)
 {
-    static fx_t many[65536];
+    static fx_t many[65537];
     (void)state;
     for (int n = 0; n <= N; n++) {
         __int128 sum = 0, products = 0;
         for (int i = 0; i < n; i++) {
             sum += (__int128)a[i] * FX_ONE;
-            products = clamp64(products + (__int128)a[i] * b[i]); /* a[3] b[3] + a[4] b[4] is 2^63 */
+            products = clamp64(products + (__int128)a[i] * b[i]);
         }
         assert_true(fx_sum_array_sat(a, (size_t)n) == (int64_t)sum);
         assert_true(fx_dot_array_sat(a, b, (size_t)n) == (int64_t)products);
     }
-    for (int i = 0; i < 65536; i++) {
+    for (int i = 0; i < 65537; i++) {
         many[i] = FX_MIN;
     }
     assert_true(fx_sum_array_sat(many, 65536) == INT64_MIN);
+    assert_true(fx_sum_array_sat(many, 65537) == INT64_MIN);   /* no longer exact */
+    assert_true(fx_dot_array_sat(many, many, 2) == INT64_MAX); /* 2^63 */
 }
 
 int main(void)

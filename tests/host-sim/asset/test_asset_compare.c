@@ -112,6 +112,7 @@ static void a_channel_may_be_40_of_255_off(void **state)
     assert_true(share_of(ph_rgb565(0, 45, 0), ph_rgb565(0, 0, 0)) == .25);
     assert_true(share_of(ph_rgb565(0, 0, 255), ph_rgb565(0, 0, 222)) == 0);
     assert_true(share_of(ph_rgb565(0, 0, 255), ph_rgb565(0, 0, 214)) == .25);
+    assert_true(share_of(ph_rgb565(0, 0, 214), ph_rgb565(0, 0, 255)) == .25);
 }
 
 static void all_sides_count_alike(void **state)
