@@ -132,7 +132,7 @@ static void it_says_how_the_model_was_simplified(void **state)
     (void)state;
     static const char *const lines[] = {
         "\ntriangles  7 of 9: as in the file, without those that have no area\n",
-        "\ntriangles  7 of 9: simplified; the surface moved by about 1.2 % of the model's radius\n"};
+        "\ntriangles  7 of 9: simplified; the surface moved by about 1.24 % of the model's radius\n"};
     struct asset *const asset = made_asset(false);
     asset->error = .0124;
     for (int i = 0; i < 2; i++) {
