@@ -11,7 +11,7 @@ PINHOLE_CPU ?= portable
 pinhole_kernels := $(wildcard $(PINHOLE_HERE)/core/kernels/$(PINHOLE_CPU)/*.[cS])
 pinhole_portable := $(wildcard $(PINHOLE_HERE)/core/kernels/portable/*.c)
 pinhole_replaced := $(basename $(notdir $(pinhole_kernels)))
-pinhole_app := $(addprefix $(PINHOLE_HERE)/app/,$(addsuffix .c,animation crc32 scene_file scene_filters scene_motion scene_shadings demos/fit demos/parts demos/sorted demos/still demos/studio demos/turntable))
+pinhole_app := $(addprefix $(PINHOLE_HERE)/app/,$(addsuffix .c,$(shell cat $(PINHOLE_HERE)/package/micropython/app.txt)))
 
 SRC_USERMOD_C += $(wildcard $(PINHOLE_HERE)/package/micropython/*.c)
 SRC_USERMOD_LIB_C += $(wildcard $(PINHOLE_HERE)/core/fx/*.c $(PINHOLE_HERE)/core/geom/*.c $(PINHOLE_HERE)/core/render/*.c $(PINHOLE_HERE)/core/effects/*.c) \

@@ -3,9 +3,9 @@
 
 #include "complain.h"
 #include "model_stage.h"
+#include "wire_colour.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* The demo that shows a model on the turntable, without the platter. */
 static int open(struct model_stage *stage, struct model *on_turntable, uint16_t width, uint16_t height)
@@ -30,22 +30,11 @@ static int draw(struct model_stage *s, uint32_t side, uint32_t frames)
     return status;
 }
 
-/* Red, green and blue of a pixel in wire order, 0 .. 255. */
-static void channels(uint16_t pixel, int rgb[3])
-{
-    uint8_t bytes[2];
-    memcpy(bytes, &pixel, sizeof bytes);
-    const int colour = bytes[0] << 8 | bytes[1];
-    rgb[0] = (colour >> 11) * 255 / 31;
-    rgb[1] = (colour >> 5 & 63) * 255 / 63;
-    rgb[2] = (colour & 31) * 255 / 31;
-}
-
 static bool is_off(uint16_t a, uint16_t b)
 {
-    int x[3], y[3];
-    channels(a, x);
-    channels(b, y);
+    uint8_t x[3], y[3];
+    wire_colour(a, x);
+    wire_colour(b, y);
     return abs(x[0] - y[0]) > ASSET_OFF || abs(x[1] - y[1]) > ASSET_OFF || abs(x[2] - y[2]) > ASSET_OFF;
 }
 

@@ -6,6 +6,7 @@
 #include "model.h"
 #include "nearest.h"
 #include "progress.h"
+#include "wire_colour.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -32,10 +33,9 @@ static void name_colour(struct scene_surface *surface)
     const struct ph_material *const m = &surface->look;
     const bool lit = (m->shading == PH_SHADE_FLAT || m->shading == PH_SHADE_GOURAUD) && m->ramp != NULL;
     const uint16_t wire = lit ? m->ramp[PH_RAMP_SIZE * 3 / 4] : m->colour;
-    const uint8_t *const bytes = (const uint8_t *)&wire;
-    const unsigned v = (unsigned)bytes[0] << 8 | bytes[1];
-    snprintf(surface->colour, sizeof surface->colour, "#%02x%02x%02x", (v >> 11) * 255 / 31, (v >> 5 & 63) * 255 / 63,
-             (v & 31) * 255 / 31);
+    uint8_t rgb[3];
+    wire_colour(wire, rgb);
+    snprintf(surface->colour, sizeof surface->colour, "#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
 }
 
 /* The number of a material. Materials beyond the last number count as the last. */

@@ -61,11 +61,9 @@ static bool chance(struct climb *s, double share)
 static void ray_of(const struct climb *s, double x, double y, double *across, double *along)
 {
     const struct planes_canvas *const canvas = s->canvas;
-    const double width = canvas->lab->width, height = canvas->lab->height, one = FX_Q30_ONE;
-    const double right = (2 * x + 1 - width) * 1048576 / (canvas->projection.scale_x_q20 * width);
-    const double up = (height - 1 - 2 * y) * 1048576 / (canvas->projection.scale_y_q20 * height);
-    *across = (right * canvas->view.r[0][0] + up * canvas->view.r[1][0]) / one;
-    *along = (right * canvas->view.r[0][1] + up * canvas->view.r[1][1]) / one;
+    const struct planes_ray ray = depth_planes_ray(canvas, x, y);
+    *across = (ray.right * canvas->view.r[0][0] + ray.up * canvas->view.r[1][0]) / FX_Q30_ONE;
+    *along = (ray.right * canvas->view.r[0][1] + ray.up * canvas->view.r[1][1]) / FX_Q30_ONE;
 }
 
 static fx_t nearest_fx(double v)

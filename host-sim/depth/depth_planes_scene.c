@@ -182,13 +182,17 @@ static int64_t numerator(const struct planes_quad *quad)
     return (int64_t)quad->vz * quad->a.y - (int64_t)quad->a.z * quad->vy;
 }
 
+struct planes_ray depth_planes_ray(const struct planes_canvas *canvas, double x, double y)
+{
+    const double width = canvas->lab->width, height = canvas->lab->height;
+    return (struct planes_ray){(2 * x + 1 - width) * 1048576 / (canvas->projection.scale_x_q20 * width),
+                               (height - 1 - 2 * y) * 1048576 / (canvas->projection.scale_y_q20 * height)};
+}
+
 double depth_planes_distance_m(const struct planes_canvas *canvas, const struct planes_quad *quad, uint32_t pixel)
 {
-    const double width = canvas->lab->width, height = canvas->lab->height, one = FX_Q30_ONE;
-    const double x = pixel % canvas->lab->width, y = pixel / canvas->lab->width; /* whole numbers */
-    const double right = (2 * x + 1 - width) * 1048576 / (canvas->projection.scale_x_q20 * width);
-    const double up = (height - 1 - 2 * y) * 1048576 / (canvas->projection.scale_y_q20 * height);
-    const double slope = (right * canvas->view.r[0][1] + up * canvas->view.r[1][1]) / one; /* turned back */
+    const struct planes_ray ray = depth_planes_ray(canvas, pixel % canvas->lab->width, pixel / canvas->lab->width);
+    const double slope = (ray.right * canvas->view.r[0][1] + ray.up * canvas->view.r[1][1]) / FX_Q30_ONE;
     return (double)numerator(quad) / (quad->vy + slope * quad->vz) / 65536;
 }
 

@@ -64,6 +64,12 @@ struct planes_canvas {
     void *memory;
 };
 
+/* The ray through a point of the picture, whose pixels have their centres at whole numbers: slopes against the view. */
+struct planes_ray {
+    double right, up;
+};
+struct planes_ray depth_planes_ray(const struct planes_canvas *canvas, double x, double y);
+
 #define PLANES_VERTICES  512 /* of a drawing, at most */
 #define PLANES_TRIANGLES 1024
 

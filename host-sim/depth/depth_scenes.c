@@ -116,15 +116,12 @@ static void draw_faces(struct planes_canvas *canvas, const struct face *first, c
 /* The distance at which the ray of a pixel meets the plane of a face. */
 static double distance_m(const struct planes_canvas *canvas, const struct face *face, uint32_t pixel)
 {
-    const double width = canvas->lab->width, height = canvas->lab->height;
-    const double x = pixel % canvas->lab->width, y = pixel / canvas->lab->width; /* whole numbers */
-    const double right = (2 * x + 1 - width) * 1048576 / (canvas->projection.scale_x_q20 * width);
-    const double up = (height - 1 - 2 * y) * 1048576 / (canvas->projection.scale_y_q20 * height);
+    const struct planes_ray ray = depth_planes_ray(canvas, pixel % canvas->lab->width, pixel / canvas->lab->width);
     const struct fx_vec3 a = face->corners[0], b = face->corners[1], c = face->corners[2];
     const double ux = (double)b.x - a.x, uy = (double)b.y - a.y, uz = (double)b.z - a.z;
     const double vx = (double)c.x - a.x, vy = (double)c.y - a.y, vz = (double)c.z - a.z;
     const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-    return (nx * a.x + ny * a.y + nz * a.z) / (nx * right + ny * up - nz) / 65536;
+    return (nx * a.x + ny * a.y + nz * a.z) / (nx * ray.right + ny * ray.up - nz) / 65536;
 }
 
 static void count_pair(struct planes_canvas *canvas, const struct pair *pair, struct result *result)

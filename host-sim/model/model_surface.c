@@ -1,5 +1,6 @@
 /* See model_surface.h. Chooses shading, textures, ramp and blend for a material of a file. */
 #include "model_surface.h"
+#include "wire_colour.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -105,11 +106,9 @@ static uint8_t add(unsigned a, unsigned b)
 static void add_glow(uint16_t ramp[PH_RAMP_SIZE], const uint8_t glow[3])
 {
     for (int i = 0; i < PH_RAMP_SIZE; i++) {
-        uint8_t wire[2];
-        memcpy(wire, &ramp[i], sizeof wire);
-        const unsigned c = (unsigned)wire[0] << 8 | wire[1];
-        ramp[i] = ph_rgb565(add((c >> 11) * 255 / 31, glow[0]), add((c >> 5 & 63) * 255 / 63, glow[1]),
-                            add((c & 31) * 255 / 31, glow[2]));
+        uint8_t rgb[3];
+        wire_colour(ramp[i], rgb);
+        ramp[i] = ph_rgb565(add(rgb[0], glow[0]), add(rgb[1], glow[1]), add(rgb[2], glow[2]));
     }
 }
 

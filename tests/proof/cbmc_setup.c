@@ -59,7 +59,7 @@ void proof_sides(void)
     struct ph_renderer r;
     r.config.width = (uint16_t)u32_between(1, 1024);
     r.config.height = (uint16_t)u32_between(1, 1024);
-    const struct ph_setting setting = {.r = &r, .source = PH_FROM_TEXELS};
+    const struct ph_setting setting = {.r = &r, .source = PH_FROM_CORNERS};
     is_inside(&r, v);
     CLAIM(!ph_sides_are_small(&s) || s.is_short);
     CLAIM(ph_excess_of(&setting, &s, v) == PH_EXCESS_LARGE || s.is_short);
@@ -108,5 +108,7 @@ void proof_setting(void)
     r.lens = any_lens();
     const struct ph_antialiasing antialiasing = {.prepare = prepare_nothing};
     r.config.antialiasing = nondet_u32() != 0 ? &antialiasing : NULL;
+    const struct ph_colouring colouring = {.prepare = prepare_nothing}; /* only then a draw has colours */
+    r.config.colouring = &colouring;
     ph_setting_of(&s, &r, &draw);
 }

@@ -59,8 +59,8 @@ static uint16_t colour_of(const struct ph_corner *corner)
 static void prepare(struct ph_setting *s)
 {
     s->fast.ramp = NULL;
-    s->source = PH_FROM_TEXELS;
-    s->set_texels = ph_set_small_colours;
+    s->source = PH_FROM_CORNERS;
+    s->set_corners = ph_set_small_colours;
     s->excess_of = ph_excess_of;
     s->antialiasing = s->r->samples_log2 != 0 ? s->antialiasing : NULL; /* lit colours are not dithered */
 }

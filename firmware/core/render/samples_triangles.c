@@ -14,7 +14,7 @@ PH_TIER(seldom) static void prepare(struct ph_setting *s)
 {
     struct ph_fast *const fast = &s->fast;
     const uint32_t more = PH_SIDE_SHORT - PH_SIDE_SMALL;
-    if (s->source != PH_FROM_TEXELS && fast->inner_x > 2 * more && fast->inner_y > 2 * more) {
+    if (s->source != PH_FROM_CORNERS && fast->inner_x > 2 * more && fast->inner_y > 2 * more) {
         fast->side += more;
         fast->margin += more;
         fast->inner_x -= 2 * more;

@@ -16,9 +16,9 @@ PH_TIER(mesh) static inline bool ph_is_between(int32_t a, int32_t b, int32_t c, 
 #include "edge.h"
 #include "exact.h"
 #include "kernels.h"
+#include "lift.h"
 #include "line.h"
 #include "outline.h"
-#include "lift.h"
 #include "planes.h"
 #include "samples.h"
 #include "small_texels.h"
@@ -211,14 +211,14 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     s->has_codes = format->is_small;
     s->is_small = (draw->kind & PH_DRAW_SMALL) != 0 && s->has_codes;
     s->fast.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
-    s->source = textured                     ? PH_FROM_TEXELS
+    s->source = textured                     ? PH_FROM_CORNERS
                 : !lit                       ? PH_FROM_COLOUR
                 : corners == PH_FIRST_CORNER ? PH_FROM_FIRST_LIGHT
                                              : PH_FROM_LIGHT;
     s->antialiasing = r->config.antialiasing;
     s->excess_of = s->antialiasing != NULL ? s->antialiasing->excess_of : NULL;
     if (textured) {
-        s->set_texels = material->shading->texturing.set_texels;
+        s->set_corners = material->shading->texturing.set_texels;
         s->excess_of = material->shading->texturing.excess_of;
         s->v_unit = (uint8_t)ph_texel_v_unit(material->texture);
     } else if ((draw->kind & PH_DRAW_COLOURS) != 0) {
@@ -238,8 +238,8 @@ PH_TIER(mesh) void ph_setting_of(struct ph_setting *s, const struct ph_renderer 
     }
     const bool fast = s->is_small && r->inner_x > 0 && r->inner_y > 0 &&
                       (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0 && material->depth_bias_slope == 0;
-    s->has_fast_texels = fast && s->source == PH_FROM_TEXELS;
-    s->is_fast = fast && !s->has_fast_texels;
+    s->has_fast_corners = fast && s->source == PH_FROM_CORNERS;
+    s->is_fast = fast && !s->has_fast_corners;
     s->fast.bias = s->octaves != NULL
                        ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
                        : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
@@ -288,7 +288,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     const bool small = as_small || (s->antialiasing != NULL &&
                                     excess != PH_EXCESS_LARGE); /* in all shadings its depth is set up as there */
     uint32_t d[3];
-    if (!s->is_small || excess == PH_EXCESS_LARGE || (excess == PH_EXCESS_ROWS && s->source == PH_FROM_TEXELS)) {
+    if (!s->is_small || excess == PH_EXCESS_LARGE || (excess == PH_EXCESS_ROWS && s->source == PH_FROM_CORNERS)) {
         setup_other(s, v, uv, sides, small, t);
         return;
     }
@@ -310,8 +310,8 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         return;
     }
     lift_codes(t, d);
-    if (s->source == PH_FROM_TEXELS) {
-        if (!s->set_texels(t, s, v, uv)) {
+    if (s->source == PH_FROM_CORNERS) {
+        if (!s->set_corners(t, s, v, uv)) {
             setup_other(s, v, uv, sides, small, t);
         } else if (PH_TEXTURE_KNEE && t->block != PH_BLOCK_NONE && t->as.small.of.map.fast) {
             set_texture_knee(s, t, d);
@@ -350,9 +350,9 @@ static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct 
         }
     }
     const fx_t *const *const uv = has_corners || uvs != NULL ? of_corners : NULL;
-    done = s->has_fast_texels ? ph_setup_fast(&s->fast, ref, t) : done;
-    const bool is_fast = s->has_fast_texels && done == PH_SMALL_SET;
-    if (is_fast && s->set_texels(t, s, v, uv)) {
+    done = s->has_fast_corners ? ph_setup_fast(&s->fast, ref, t) : done;
+    const bool is_fast = s->has_fast_corners && done == PH_SMALL_SET;
+    if (is_fast && s->set_corners(t, s, v, uv)) {
         return;
     }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);

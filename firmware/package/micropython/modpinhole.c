@@ -63,15 +63,9 @@ uint16_t pinhole_colour(mp_obj_t rgb)
     return ph_rgb565((uint8_t)(v >> 16), (uint8_t)(v >> 8), (uint8_t)v);
 }
 
-static uint16_t swapped(uint16_t pixel)
-{
-    return (uint16_t)(pixel << 8 | pixel >> 8);
-}
-
-/* A colour of the wire as this machine's uint16_t, and back. */
 uint16_t pinhole_native(uint16_t pixel)
 {
-    return MP_ENDIANNESS_LITTLE ? swapped(pixel) : pixel;
+    return MP_ENDIANNESS_LITTLE ? (uint16_t)(pixel << 8 | pixel >> 8) : pixel;
 }
 
 void *pinhole_want(mp_obj_t of, const mp_obj_type_t *type)
@@ -90,9 +84,9 @@ static const mp_rom_map_elem_t names[] = {
     {MP_ROM_QSTR(MP_QSTR_Mesh), MP_ROM_PTR(&pinhole_mesh)},
     {MP_ROM_QSTR(MP_QSTR_Texture), MP_ROM_PTR(&pinhole_texture)},
     {MP_ROM_QSTR(MP_QSTR_Model), MP_ROM_PTR(&pinhole_model)},
-    {MP_ROM_QSTR(MP_QSTR_WIRE), MP_ROM_INT(ORDER_WIRE)},
-    {MP_ROM_QSTR(MP_QSTR_NATIVE), MP_ROM_INT(ORDER_NATIVE)},
-    {MP_ROM_QSTR(MP_QSTR_RGB888), MP_ROM_INT(ORDER_RGB888)},
+    {MP_ROM_QSTR(MP_QSTR_WIRE), MP_ROM_INT(PH_PIXELS_WIRE)},
+    {MP_ROM_QSTR(MP_QSTR_NATIVE), MP_ROM_INT(PH_PIXELS_NATIVE)},
+    {MP_ROM_QSTR(MP_QSTR_RGB888), MP_ROM_INT(PH_PIXELS_RGB888)},
 };
 static MP_DEFINE_CONST_DICT(module_dict, names);
 

@@ -11,8 +11,6 @@
 #error "pinhole: this port of MicroPython has no float: set MICROPY_FLOAT_IMPL to MICROPY_FLOAT_IMPL_FLOAT"
 #endif
 
-enum { ORDER_WIRE = PH_PIXELS_WIRE, ORDER_NATIVE = PH_PIXELS_NATIVE, ORDER_RGB888 = PH_PIXELS_RGB888 };
-
 extern const mp_obj_type_t pinhole_renderer, pinhole_mesh, pinhole_texture, pinhole_model;
 
 struct texture {

@@ -24,14 +24,14 @@ static mp_obj_t texture_make(const mp_obj_type_t *type, size_t n_args, size_t n_
     enum { TEXELS, WIDTH, HEIGHT, ORDER, SMOOTH, REPEAT };
     static const mp_arg_t allowed[] = {
         {MP_QSTR_texels, MP_ARG_REQUIRED | MP_ARG_OBJ, {0}}, {MP_QSTR_width, MP_ARG_REQUIRED | MP_ARG_INT, {0}},
-        {MP_QSTR_height, MP_ARG_REQUIRED | MP_ARG_INT, {0}}, {MP_QSTR_order, MP_ARG_INT, {.u_int = ORDER_NATIVE}},
+        {MP_QSTR_height, MP_ARG_REQUIRED | MP_ARG_INT, {0}}, {MP_QSTR_order, MP_ARG_INT, {.u_int = PH_PIXELS_NATIVE}},
         {MP_QSTR_smooth, MP_ARG_BOOL, {.u_bool = false}},    {MP_QSTR_repeat, MP_ARG_BOOL, {.u_bool = true}},
     };
     mp_arg_val_t a[MP_ARRAY_SIZE(allowed)];
     mp_buffer_info_t from;
     mp_arg_parse_all_kw_array(n_args, n_kw, args, MP_ARRAY_SIZE(allowed), allowed, a);
     const uint8_t log2_width = log2_of(a[WIDTH].u_int), log2_height = log2_of(a[HEIGHT].u_int);
-    if (a[ORDER].u_int != ORDER_WIRE && a[ORDER].u_int != ORDER_NATIVE) {
+    if (a[ORDER].u_int != PH_PIXELS_WIRE && a[ORDER].u_int != PH_PIXELS_NATIVE) {
         mp_raise_ValueError(MP_ERROR_TEXT("order is WIRE or NATIVE"));
     }
     const size_t count = (size_t)1 << (log2_width + log2_height);
@@ -43,7 +43,7 @@ static mp_obj_t texture_make(const mp_obj_type_t *type, size_t n_args, size_t n_
     struct texture *const t = mp_obj_malloc(struct texture, type);
     uint16_t *const texels = m_new(uint16_t, count);
     memcpy(texels, from.buf, 2 * count);
-    for (size_t i = 0; a[ORDER].u_int == ORDER_NATIVE && i < count; i++) {
+    for (size_t i = 0; a[ORDER].u_int == PH_PIXELS_NATIVE && i < count; i++) {
         texels[i] = pinhole_native(texels[i]);
     }
     t->of = (struct ph_texture){.texels = texels,

@@ -16,7 +16,7 @@ static mp_obj_t renderer_make(const mp_obj_type_t *type, size_t n_args, size_t n
     static const mp_arg_t allowed[] = {
         {MP_QSTR_width, MP_ARG_REQUIRED | MP_ARG_INT, {0}}, {MP_QSTR_height, MP_ARG_REQUIRED | MP_ARG_INT, {0}},
         {MP_QSTR_vertices, MP_ARG_INT, {.u_int = 1000}},    {MP_QSTR_triangles, MP_ARG_INT, {.u_int = 1000}},
-        {MP_QSTR_lines, MP_ARG_INT, {.u_int = 16}},         {MP_QSTR_order, MP_ARG_INT, {.u_int = ORDER_NATIVE}},
+        {MP_QSTR_lines, MP_ARG_INT, {.u_int = 16}},         {MP_QSTR_order, MP_ARG_INT, {.u_int = PH_PIXELS_NATIVE}},
     };
     mp_arg_val_t a[MP_ARRAY_SIZE(allowed)];
     mp_arg_parse_all_kw_array(n_args, n_kw, args, MP_ARRAY_SIZE(allowed), allowed, a);
@@ -28,7 +28,7 @@ static mp_obj_t renderer_make(const mp_obj_type_t *type, size_t n_args, size_t n
     if (a[VERTICES].u_int < 4 || a[VERTICES].u_int > 65536 || a[TRIANGLES].u_int < 1 || a[TRIANGLES].u_int > 1000000) {
         mp_raise_ValueError(MP_ERROR_TEXT("vertices are 4 .. 65536, triangles 1 .. 1000000"));
     }
-    if (a[ORDER].u_int < ORDER_WIRE || a[ORDER].u_int > ORDER_RGB888) {
+    if (a[ORDER].u_int < PH_PIXELS_WIRE || a[ORDER].u_int > PH_PIXELS_RGB888) {
         mp_raise_ValueError(MP_ERROR_TEXT("order is WIRE, NATIVE or RGB888"));
     }
     struct renderer *const o = mp_obj_malloc(struct renderer, type);
@@ -111,9 +111,9 @@ static mp_obj_t renderer_begin(size_t n_args, const mp_obj_t *args, mp_map_t *kw
     pinhole_raise_if(
         ph_projection_perspective(&projection, pinhole_fx(a[FOV].u_obj), aspect, near, pinhole_fx(a[FAR].u_obj)));
     if (a[LIGHTS].u_obj == mp_const_none) {
-        light.lights[light.count++] = (struct ph_light){.kind = PH_LIGHT_DIRECTIONAL,
-                                                        .intensity = FX_ONE * 3 / 4,
-                                                        .to_light_q30 = {438261968, 876523936, 438261968}};
+        const struct fx_vec3 above = {FX_ONE, FX_INT(2), FX_ONE};
+        light.lights[light.count++] = (struct ph_light){.kind = PH_LIGHT_DIRECTIONAL, .intensity = FX_ONE * 3 / 4};
+        fx_vec3_direction_q30(above, &light.lights[0].to_light_q30);
     } else {
         size_t n;
         mp_obj_t *of;
@@ -219,8 +219,8 @@ static mp_obj_t renderer_text(size_t n_args, const mp_obj_t *args, mp_map_t *kw)
     mp_buffer_info_t buffer;
     mp_arg_parse_all(n_args - 1, args + 1, kw, MP_ARRAY_SIZE(allowed), allowed, a);
     mp_get_buffer_raise(a[TO].u_obj, &buffer, MP_BUFFER_WRITE);
-    const bool is_native = o->r.config.pixel_order == ORDER_NATIVE;
-    if (o->r.config.pixel_order == ORDER_RGB888) {
+    const bool is_native = o->r.config.pixel_order == PH_PIXELS_NATIVE;
+    if (o->r.config.pixel_order == PH_PIXELS_RGB888) {
         mp_raise_ValueError(MP_ERROR_TEXT("text needs a Renderer of order WIRE or NATIVE"));
     }
     const uint16_t colour = pinhole_colour(a[COLOUR].u_obj),
